@@ -70,7 +70,9 @@ inline double total(double x) { return x; }
 inline double total(const Pack& x) { return std::experimental::reduce(x); }
 
 inline double smaller(double a, double b) { return std::min(a, b); }
-inline Pack smaller(const Pack& a, const Pack& b) { return std::experimental::min(a, b); }
+/// Returns `b` if one of them is NaN. Not std::experimental::min: an attribute of that keeps g++ from inlining it, and
+/// whatever calls it.
+[[gnu::always_inline]] inline Pack smaller(const Pack& a, const Pack& b) { return select(a < b, a, b); }
 
 /// Interleaves three packs lane by lane: rows[4 lane + j] is that lane of x, y, z, and 0 for j = 3. Vectors in space
 /// are stored in memory like this.

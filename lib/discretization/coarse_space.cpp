@@ -11,7 +11,7 @@
 
 #include "fem/corner_element.hpp"
 #include "fem/with_element.hpp"
-#include "mesh/halving.hpp"
+#include "mesh/refinement.hpp"
 
 namespace ixos {
 namespace {
@@ -38,10 +38,11 @@ std::array<bool, Element::nodes> places_of(unsigned tied) {
 CoarseSpace::CoarseSpace(const LocalMesh& fine, const DofSpace& fine_space, const std::vector<int>& constrained)
     : fine_space_(fine_space),
       dimension_(static_cast<std::size_t>(fine.dimension)),
-      coarse_(fine.halving ? parents(fine, number_) : coarse_mesh(fine, fine_space, number_), fine_space.comm()),
+      coarse_(fine.refinement ? coarse_cells(fine, number_) : coarse_mesh(fine, fine_space, number_),
+              fine_space.comm()),
       on_coarse_(static_cast<std::size_t>(space().local())),
       on_fine_(fine_local()) {
-  if (fine.halving) {
+  if (fine.refinement) {
     take_shares(fine);
     if (fine_space.comm()->getSize() > 1) {
       LocalMesh all = mesh();
@@ -54,18 +55,18 @@ CoarseSpace::CoarseSpace(const LocalMesh& fine, const DofSpace& fine_space, cons
   find_left_out(constrained);
 }
 
-LocalMesh CoarseSpace::parents(const LocalMesh& fine, std::vector<int>& number) {
-  number = fine.halving->number;
-  return fine.halving->coarse;
+LocalMesh CoarseSpace::coarse_cells(const LocalMesh& fine, std::vector<int>& number) {
+  number = fine.refinement->number;
+  return fine.refinement->coarse;
 }
 
 void CoarseSpace::take_shares(const LocalMesh& fine) {
-  const LocalHalving& halving = *fine.halving;
-  first_share_ = halving.first_share;
+  const LocalRefinement& refinement = *fine.refinement;
+  first_share_ = refinement.first_share;
   for (std::size_t node = 0; node < number_.size(); ++node) {
     const std::size_t begin = first_share_[node], end = first_share_[node + 1];
     for (std::size_t k = begin; k < end; ++k)
-      shares_.push_back({halving.corner[k], 1 / static_cast<double>(end - begin)});
+      shares_.push_back({refinement.corner[k], 1 / static_cast<double>(end - begin)});
     std::sort(shares_.begin() + static_cast<std::ptrdiff_t>(begin), shares_.end(),
               [](const Share& a, const Share& b) { return a.corner < b.corner; });
   }
@@ -81,7 +82,7 @@ LocalMesh CoarseSpace::coarse_mesh(const LocalMesh& fine, const DofSpace& fine_s
   coarse.global_cells = fine.global_cells;
   for (const LocalBlock& block : fine.blocks) {
     if (block.global_cells > 0 && !is_quadratic(block.type))
-      throw std::logic_error("linear cells without parents have no coarse space");
+      throw std::logic_error("linear cells that refine no coarser ones have no coarse space");
     for_each_cell(block, [&](const int* nodes) {
       for (int a = 0; a < nodes_per_cell(corner_type(block.type)); ++a) number[static_cast<std::size_t>(nodes[a])] = 0;
     });

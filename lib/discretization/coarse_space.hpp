@@ -1,4 +1,4 @@
-/// Linear displacements on the corners of quadratic cells, or on the parents of linear ones: the coarse space of a
+/// Linear displacements on the corners of quadratic cells, or on the coarse cells of linear ones: the coarse space of a
 /// two-level method.
 #pragma once
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace ixos {
 
-/// The linear cells on the corners of quadratic ones, or the parents of linear ones (see Halving), and the prolongation
-/// P from their displacements to those of the fine cells: a corner keeps its displacement, another node takes that of
-/// the linear cell at its place: a middle node the mean of the corners of its edge, face or cell. The rank that owns a
-/// fine node owns its coarse one, in the same order.
+/// The linear cells on the corners of quadratic ones, or the coarse cells of linear ones (see Refinement), and the
+/// prolongation P from their displacements to those of the fine cells: a corner keeps its displacement, another node
+/// takes that of the linear cell at its place: a middle node the mean of the corners of its edge, face or cell. The
+/// rank that owns a fine node owns its coarse one, in the same order.
 /// - On quadratic cells a rank has all cells around its coarse nodes, so it assembles its rows of P^T W P alone.
-/// - Of a parent's children a rank may have some only. Each adds its own children to the rows of all its local coarse
-///   nodes, and the ranks sum them.
+/// - Of a coarse cell's fine cells a rank may have some only. Each rank adds its own fine cells to the rows of all its
+///   local coarse nodes, and the ranks sum them.
 ///
 /// A coarse degree of freedom that moves a constrained fine one is left out: its column of P is zero, and matrices have
 /// a row of the identity there. Therefore P moves no constrained degree of freedom, and P^T W P is a Galerkin product.
 class CoarseSpace {
  public:
   /// `constrained`: local fine degrees of freedom, ghosts constrained on every rank that sees them. The mesh and the
-  /// space must outlive it. Throws std::logic_error if linear cells have no parents. Collective.
+  /// space must outlive it. Throws std::logic_error if linear cells have no coarse cells. Collective.
   CoarseSpace(const LocalMesh& fine, const DofSpace& fine_space, const std::vector<int>& constrained);
 
   const LocalMesh& mesh() const { return coarse_.mesh(); }
@@ -63,7 +63,7 @@ class CoarseSpace {
 
  private:
   static LocalMesh coarse_mesh(const LocalMesh& fine, const DofSpace& fine_space, std::vector<int>& number);
-  static LocalMesh parents(const LocalMesh& fine, std::vector<int>& number);
+  static LocalMesh coarse_cells(const LocalMesh& fine, std::vector<int>& number);
   void find_shares(const LocalMesh& fine);
   void take_shares(const LocalMesh& fine);
   void find_left_out(const std::vector<int>& constrained);

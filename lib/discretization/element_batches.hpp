@@ -62,6 +62,14 @@ class ElementBatches {
     scale(batch, values);
   }
 
+  /// Gathers component d alone.
+  void gather(std::size_t batch, const double* local, std::size_t d, std::array<Pack, N>& values) const {
+    const Dofs& dof = dofs_[batch];
+    for (std::size_t a = 0; a < N; ++a)
+      values[a] = Pack([&](auto lane) { return local[static_cast<std::size_t>(dof[a][lane]) + d]; });
+    scale(batch, values);
+  }
+
   /// Gathers the values less those of the first node, `first`, in single precision: the rounding errors are then
   /// relative to the differences in a cell, however large its displacement is.
   void gather_differences(std::size_t batch, const double* local, Small<NarrowPack, N, D>& values,
@@ -95,6 +103,16 @@ class ElementBatches {
         for (std::size_t d = 0; d < D; ++d) target[d] += rows(lane, d);
       }
     }
+  }
+
+  /// Scatters forces that have component d alone.
+  void scatter_force(std::size_t batch, std::size_t d, std::array<Pack, N> values, double* local) const {
+    const Dofs& dof = dofs_[batch];
+    const std::size_t used = lanes(batch);
+    scale(batch, values);
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t lane = 0; lane < used; ++lane)
+        local[static_cast<std::size_t>(dof[a][lane]) + d] += values[a][lane];
   }
 
   /// Scatters a diagonal that was computed with the kernel's shape functions, without their factors in the cells.
@@ -133,6 +151,21 @@ class ElementBatches {
     }
   }
 
+  /// Does the same with a matrix of component d alone.
+  void scatter_tangent(std::size_t batch, std::size_t d, Small<Pack, N> k, double* values) const {
+    const Places& places = places_[batch];
+    const std::size_t used = lanes(batch);
+    if (!scale_.empty())
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t c = 0; c < N; ++c) k[a][c] *= scale_[batch][a] * scale_[batch][c];
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t lane = 0; lane < used; ++lane) {
+        if (places.offset[a][0][lane] < 0) continue;  // the rank does not own this row
+        double* row = values + static_cast<std::size_t>(places.stride[a][lane]) * d + d;
+        for (std::size_t c = 0; c < N; ++c) row[places.offset[a][c][lane]] += k[a][c][lane];
+      }
+  }
+
  private:
   /// A vector of space for each lane.
   class Rows {
@@ -155,6 +188,10 @@ class ElementBatches {
     if (scale_.empty()) return;
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t d = 0; d < D; ++d) values[a][d] *= scale_[batch][a];
+  }
+  void scale(std::size_t batch, std::array<Pack, N>& values) const {
+    if (scale_.empty()) return;
+    for (std::size_t a = 0; a < N; ++a) values[a] *= scale_[batch][a];
   }
 
   using Dofs = std::array<std::array<int, width>, N>;  ///< first local degree of freedom of each node

@@ -9,17 +9,16 @@
 
 namespace ixos {
 
-/// Returns the mean of value(H), an array of numbers, over an element's quadrature points. `gradient_at`(q) is what
-/// `value` takes of a point, usually the displacement gradient H that the material sees.
-template <class Point, class GradientAt, class Value>
-auto mean_over_points(const std::vector<Point>& points, const GradientAt& gradient_at, const Value& value) {
-  auto sums = value(gradient_at(0));
-  for (auto& sum : sums) sum *= points[0].weight;
-  auto volume = points[0].weight;
-  for (std::size_t q = 1; q < points.size(); ++q) {
-    const auto values = value(gradient_at(q));
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += points[q].weight * values[i];
-    volume += points[q].weight;
+/// Returns the mean of value(point), an array of numbers, over points with these weights.
+template <class T, class Value>
+auto mean_over(std::size_t points, const T* weights, const Value& value) {
+  auto sums = value(0);
+  for (auto& sum : sums) sum *= weights[0];
+  auto volume = weights[0];
+  for (std::size_t q = 1; q < points; ++q) {
+    const auto values = value(q);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += weights[q] * values[i];
+    volume += weights[q];
   }
   for (auto& sum : sums) sum = sum / volume;
   return sums;
@@ -41,17 +40,17 @@ std::array<T, 3> invariants(const Material& material, const Small<T, D>& h) {
   return {trace, jacobian, material.energy(h)};
 }
 
-/// Returns the Cauchy stress J^-1 P F^T of a displacement gradient, xx, yy, zz, xy, yz, zx [E0]. Laws of small strains
-/// give it themselves.
+/// Returns the Cauchy stress J^-1 P F^T of a displacement gradient, xx, yy, zz, xy, yz, zx [E0]. Laws of small strains,
+/// which are not `finite`, give it themselves.
 template <class Material, class T, std::size_t D>
-std::array<T, 6> cauchy_stress(const Material& material, const Small<T, D>& h) {
+std::array<T, 6> cauchy_stress(const Material& material, const Small<T, D>& h, bool finite) {
   Small<T, D> p;
   const T jacobian = material.stress(h, p);
   Small<T, 3> sigma{};
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = i; j < D; ++j) {
       sigma[i][j] = p[i][j];
-      if constexpr (Material::can_invert) {
+      if (finite) {
         for (std::size_t k = 0; k < D; ++k) sigma[i][j] += p[i][k] * h[j][k];
         sigma[i][j] = sigma[i][j] / jacobian;
       }

@@ -42,8 +42,6 @@ template <class Element, bool revolved = IsRevolved<Element>::value>
 struct GradientTraits {
   /// Displacement gradients are G x G.
   static constexpr std::size_t G = Element::dimension;
-  /// Number of their components that moduli connect.
-  static constexpr std::size_t C = G * G;
   template <class T, std::size_t N>
   using Gradients = Small<T, N, G>;
   template <class T>
@@ -52,7 +50,6 @@ struct GradientTraits {
 template <class Element>
 struct GradientTraits<Element, true> {
   static constexpr std::size_t G = 3;
-  static constexpr std::size_t C = meridian_size;
   template <class T, std::size_t N>
   using Gradients = RevolvedGradients<T, N>;
   template <class T>
@@ -86,33 +83,6 @@ template <class T, std::size_t N>
       for (std::size_t j = 0; j < 2; ++j) f[a][i] += p[i][j] * dn.plane[a][j];
     f[a][0] += p[2][2] * dn.hoop[a];
   }
-}
-
-/// Does the same with w P.
-template <class T, std::size_t N, std::size_t D>
-[[gnu::always_inline]] inline void add_nodal_forces(const T& w, const Small<T, D>& p, const Small<T, N, D>& dn,
-                                                    Small<T, N, D>& f) {
-  for (std::size_t a = 0; a < N; ++a)
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) f[a][i] += w * p[i][j] * dn[a][j];
-}
-template <class T, std::size_t N>
-[[gnu::always_inline]] inline void add_nodal_forces(const T& w, const Small<T, 3>& p, const RevolvedGradients<T, N>& dn,
-                                                    Small<T, N, 2>& f) {
-  for (std::size_t a = 0; a < N; ++a) {
-    for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t j = 0; j < 2; ++j) f[a][i] += w * p[i][j] * dn.plane[a][j];
-    f[a][0] += w * p[2][2] * dn.hoop[a];
-  }
-}
-
-/// Returns J of a displacement gradient, or -1 if it is beyond a limit of the law.
-template <class Material, class T, std::size_t G>
-T admissibility(const Material& material, const Small<T, G>& h) {
-  if constexpr (Material::has_limit)
-    return material.admissibility(h);
-  else
-    return determinant(deformation_gradient(h));
 }
 
 }  // namespace ixos

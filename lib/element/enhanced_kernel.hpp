@@ -1,10 +1,16 @@
 /// A cure of shear locking in bending, and of most volumetric locking, that derives from an energy: enhanced modes.
 #pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 #include "base/ldl.hpp"
-#include "element/elastic_kernel.hpp"
+#include "base/scratch.hpp"
+#include "element/cell_kernel.hpp"
+#include "element/kernel_law.hpp"
 #include "material/revolved_law.hpp"
 
 namespace ixos {
@@ -29,15 +35,16 @@ namespace ixos {
 /// are needed at least. At the end of a segment, J is also that of the displacement without modes; a law's limit is
 /// checked with the modes.
 template <class Element, class Material>
-struct EnhancedKernel : ElasticKernel<Element, Material> {
-  using Base = ElasticKernel<Element, Material>;
-  static constexpr std::size_t D = Base::D;
-  static constexpr std::size_t N = Base::N;
-  static constexpr std::size_t G = Base::G;
+struct EnhancedKernel : CellKernel<Element> {
+  using Base = CellKernel<Element>;
+  using Law = Material;
+  using Base::D;
+  using Base::G;
+  using Base::N;
+  using typename Base::Space;
   static constexpr std::size_t C = Base::C;
   static_assert(N == std::size_t{1} << D, "multilinear elements only");
   static constexpr bool has_discrete_gradient = false;
-  static constexpr bool keeps_points = false;
   /// Newton iterations for alpha; it takes 2 to 5 at moderate pressures.
   static constexpr int maximum_iterations = 20;
 
@@ -56,7 +63,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     Small<T, D> center;  ///< det J0 J0^-1, [d][J]
   };
 
-  /// See ElasticKernel::geometry().
+  /// See CellKernel::geometry().
   template <class T>
   static Geometry<T> geometry(const Table& table, const Nodal<T>& x) {
     std::array<double, N> value;
@@ -70,22 +77,19 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     return result;
   }
 
+  /// Computes the displacement gradients that the law sees at the points, with the enhanced modes. Returns 1 in lanes
+  /// where it sees some, else 0.
+  template <class T>
+  static T seen(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u, std::vector<Small<T, G>>& h) {
+    const Relaxed<T> state(material, geometry, u);
+    h.assign(state.gradient.begin(), state.gradient.end());
+    return state.found;
+  }
+
   /// Returns the stored energy [E0 L0^D].
   template <class T>
   static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
-    const Relaxed<T> state(material, geometry, u);
-    T sum(0.0);
-    for (std::size_t q = 0; q < geometry.points.size(); ++q)
-      sum += geometry.points[q].weight * material.energy(state.gradient[q]);
-    return select(state.found > 0.0, sum, T(std::numeric_limits<double>::quiet_NaN()));
-  }
-
-  /// See ElasticKernel::mean(). H includes the enhanced modes.
-  template <class T, class Value>
-  static auto mean(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u, const Value& value) {
-    const Relaxed<T> state(material, geometry, u);
-    return mean_over_points(
-        geometry.points, [&](std::size_t q) -> const Small<T, G>& { return state.gradient[q]; }, value);
+    return energy_of<EnhancedKernel>(material, geometry, u);
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane; 0 in
@@ -93,28 +97,30 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
+    const auto& law = law_in<Space>(material);
+    const std::size_t size = geometry.points.size();
     T least_jacobian(1e300);
+    AtPoints<Small<T, G>> p(size);
+    AtPoints<T> admissible(size);
     for (const RulePoint& point : rule.points) {
       const Relaxed<T> state(material, geometry, at(segment, point));
-      for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-        const Gradients<T> dn = Base::shape_gradients(geometry, q);
-        Small<T, G> p;
-        least_jacobian = smaller(least_jacobian, material.stress(state.gradient[q], p));
+      law.stress(size, state.gradient.data(), p.data(), admissible.data());
+      for (std::size_t q = 0; q < size; ++q) {
+        least_jacobian = smaller(least_jacobian, admissible[q]);
         const T w = point.weight * geometry.points[q].weight;
         for (std::size_t i = 0; i < G; ++i)
-          for (std::size_t j = 0; j < G; ++j) p[i][j] *= w;
-        add_nodal_forces(p, dn, f);
+          for (std::size_t j = 0; j < G; ++j) p[q][i][j] *= w;
+        add_nodal_forces(p[q], Base::shape_gradients(geometry, q), f);
       }
       least_jacobian = select(state.found > 0.0, least_jacobian, smaller(least_jacobian, T(0.0)));
     }
-    if constexpr (Material::can_invert)
-      for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-        const typename Base::template Ends<T> ends(segment, Base::shape_gradients(geometry, q));
-        least_jacobian = smaller(least_jacobian, ends.jacobian());
-      }
-    if constexpr (Material::has_limit)
-      if (material.is_limited() && !rule.has_end())
-        least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
+    if (law.can_invert())
+      for (std::size_t q = 0; q < size; ++q)
+        least_jacobian =
+            smaller(least_jacobian,
+                    determinant(deformation_gradient(Base::gradient(*segment.to, Base::shape_gradients(geometry, q)))));
+    if (law.is_limited() && !rule.has_end())
+      least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
     return least_jacobian;
   }
 
@@ -122,17 +128,19 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
   template <class T>
   static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
                           const Rule& rule, Tangent<T>& k) {
+    const std::size_t size = geometry.points.size();
+    AtPoints<Small<T, G>> p(size);
+    AtPoints<Small<T, C>> all(size);
     for (const RulePoint& point : rule.points) {
       const Relaxed<T> state(material, geometry, at(segment, point));
+      law_in<Space>(material).stress_and_space_moduli(size, state.gradient.data(), p.data(), all.data());
       const double factor = point.weight * point.to;
       Small<T, D * D> inner{};         // K_aa
       Small<T, N * D, D * D> mixed{};  // K_ua
       for (std::size_t q = 0; q < geometry.points.size(); ++q) {
         const Gradients<T> dn = Base::shape_gradients(geometry, q);
         const Small<T, D> modes = mode_gradients(geometry, q);
-        Small<T, G> p;
-        Small<T, C> moduli;
-        material.stress_and_moduli(state.gradient[q], p, moduli);
+        Small<T, C>& moduli = all[q];
         const T w = factor * geometry.points[q].weight;
         for (auto& row : moduli)
           for (T& value : row) value *= w;
@@ -157,6 +165,9 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
   }
 
  private:
+  /// Numbers at the quadrature points: two a direction as a rule.
+  template <class T>
+  using AtPoints = Scratch<T, N>;
   using StartLaw = std::conditional_t<Base::revolved, RevolvedLaw<NeoHooke>, NeoHooke>;
 
   /// The displacement gradients at the quadrature points, with the modes that minimise the energy.
@@ -166,29 +177,32 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
         : gradient(geometry.points.size()), found(0.0) {
       for (std::size_t q = 0; q < gradient.size(); ++q)
         gradient[q] = Base::gradient(u, Base::shape_gradients(geometry, q));
-      if constexpr (Material::has_limit)
-        if (material.is_limited()) start_within_limit(material, geometry);
+      const auto& law = law_in<Space>(material);
+      if (law.is_limited()) start_within_limit(law, material.lame, geometry);
       // Derivatives carried by the scalar type lag one iteration behind the values.
       int more = std::is_same_v<T, double> || std::is_same_v<T, Pack> ? 0 : 1;
       T done(0.0);
       for (int iteration = 0; iteration < maximum_iterations; ++iteration) {
-        iterate(material, geometry, done);
+        iterate(law, geometry, done);
         if (least(done) > 0 && more-- == 0) break;
       }
     }
 
-    std::vector<Small<T, G>> gradient;
+    AtPoints<Small<T, G>> gradient;
     T found;  ///< 1 if the iteration ended at a minimum, else 0
 
    private:
     /// Without modes a bent element may lie beyond the law's limit, where Newton's method fails. Such lanes start from
     /// the modes of the neo-Hookean law with the same constants, which has no limit.
-    void start_within_limit(const Material& material, const Geometry<T>& geometry) {
-      const std::vector<Small<T, G>> plain = gradient;
+    template <class Points>
+    void start_within_limit(const Points& law, const Lame& lame, const Geometry<T>& geometry) {
+      AtPoints<Small<T, G>> plain(gradient.size());
+      std::copy_n(gradient.data(), gradient.size(), plain.data());
       T room(1e300);
-      for (const Small<T, G>& h : plain) room = smaller(room, material.admissibility(h));
+      for (const Small<T, G>& h : plain) room = smaller(room, law.admissibility(h));
       if (least(room) > 0) return;
-      const StartLaw start(NeoHooke{material.lame});
+      const StartLaw start_law(NeoHooke{lame});
+      const LawPoints<StartLaw, Space> start(start_law);
       T done(0.0);
       for (int iteration = 0; iteration < maximum_iterations && !(least(done) > 0); ++iteration)
         iterate(start, geometry, done);
@@ -198,27 +212,34 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     }
 
     /// Takes one Newton step in the lanes that are not done; a lane is done when rounding would swallow its next step.
-    template <class Law>
-    void iterate(const Law& material, const Geometry<T>& geometry, T& done) {
+    template <class Points>
+    void iterate(const Points& law, const Geometry<T>& geometry, T& done) {
+      constexpr std::size_t at_once = 4;  // their moduli stay in the cache
+      std::array<Small<T, G>, at_once> stress;
+      std::array<Small<T, C>, at_once> moduli_of;
       std::array<T, D * D> step{};
       Small<T, D * D> tangent{};
       T size(0.0);  // of the gradients, squared
-      for (std::size_t q = 0; q < gradient.size(); ++q) {
-        const Small<T, D> modes = mode_gradients(geometry, q);
-        Small<T, G> p;
-        Small<T, C> moduli;
-        material.stress_and_moduli(gradient[q], p, moduli);
-        const T& w = geometry.points[q].weight;
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) {
-            const T weighted = w * p[i][j];
-            for (std::size_t d = 0; d < D; ++d) step[d * D + i] -= weighted * modes[d][j];
-            size += gradient[q][i][j] * gradient[q][i][j];
-          }
-        if constexpr (Base::revolved) size += gradient[q][2][2] * gradient[q][2][2];
-        for (auto& row : moduli)
-          for (T& value : row) value *= w;
-        add_contraction<true>(as_nodes(modes), as_nodes(modes), moduli, tangent);
+      for (std::size_t first = 0; first < gradient.size(); first += at_once) {
+        const std::size_t count = std::min(at_once, gradient.size() - first);
+        law.stress_and_space_moduli(count, gradient.data() + first, stress.data(), moduli_of.data());
+        for (std::size_t k = 0; k < count; ++k) {
+          const std::size_t q = first + k;
+          const Small<T, D> modes = mode_gradients(geometry, q);
+          const Small<T, G>& p = stress[k];
+          Small<T, C>& moduli = moduli_of[k];
+          const T& w = geometry.points[q].weight;
+          for (std::size_t i = 0; i < D; ++i)
+            for (std::size_t j = 0; j < D; ++j) {
+              const T weighted = w * p[i][j];
+              for (std::size_t d = 0; d < D; ++d) step[d * D + i] -= weighted * modes[d][j];
+              size += gradient[q][i][j] * gradient[q][i][j];
+            }
+          if constexpr (Base::revolved) size += gradient[q][2][2] * gradient[q][2][2];
+          for (auto& row : moduli)
+            for (T& value : row) value *= w;
+          add_contraction<true>(as_nodes(modes), as_nodes(modes), moduli, tangent);
+        }
       }
       const Ldl<T, D * D> ldl(tangent);
       ldl.solve(step);
@@ -250,7 +271,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
   static T end_admissibility(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment) {
     const Relaxed<T> state(material, geometry, *segment.to);
     T result(1e300);
-    for (const Small<T, G>& h : state.gradient) result = smaller(result, material.admissibility(h));
+    for (const Small<T, G>& h : state.gradient) result = smaller(result, law_in<Space>(material).admissibility(h));
     return select(state.found > 0.0, result, smaller(result, T(0.0)));
   }
 

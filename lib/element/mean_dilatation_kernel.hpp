@@ -1,6 +1,7 @@
 /// A cure of volumetric locking that derives from an energy: one mean dilatation for the whole of a linear element.
 #pragma once
-#include "element/elastic_kernel.hpp"
+#include "element/cell_kernel.hpp"
+#include "element/kernel_law.hpp"
 #include "element/mean_dilatation_point.hpp"
 
 namespace ixos {
@@ -20,16 +21,19 @@ namespace ixos {
 ///
 /// Quadratic elements need more constraints, see ProjectedDilatationKernel.
 ///
-/// In a homogeneous state the element equals that of ElasticKernel. Jm couples the quadrature points, so time points
+/// In a homogeneous state the element equals the standard one. Jm couples the quadrature points, so time points
 /// cannot share one B^T A B alone: each adds a rank-two part. The kernel has no discrete gradient.
 template <class Element, class Material>
-struct MeanDilatationKernel : ElasticKernel<Element, Material> {
-  using Base = ElasticKernel<Element, Material>;
-  static constexpr std::size_t D = Base::D;
-  static constexpr std::size_t N = Base::N;
-  static constexpr std::size_t G = Base::G;
+struct MeanDilatationKernel : CellKernel<Element> {
+  using Base = CellKernel<Element>;
+  using Law = Material;
+  using Base::batch;
+  using Base::D;
+  using Base::G;
+  using Base::N;
+  using typename Base::Space;
+  static constexpr std::size_t C = Base::C;
   static constexpr bool has_discrete_gradient = false;
-  static constexpr bool keeps_points = false;
 
   template <class T>
   using Nodal = typename Base::template Nodal<T>;
@@ -39,25 +43,27 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   using Geometry = typename Base::template Geometry<T>;
   template <class T>
   using Segment = typename Base::template Segment<T>;
+
+  /// See EnhancedKernel::seen(). H is H~, so the mean J is Jm (1 for a linear law).
   template <class T>
-  using Gradients = typename Base::template Gradients<T>;
+  static T seen(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u, std::vector<Small<T, G>>& h) {
+    const bool finite = law_in<Space>(material).can_invert();
+    h.resize(geometry.points.size());
+    T sum(0.0);
+    Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
+      Base::gradients(geometry, first, count, u, &h[first]);
+      for (std::size_t q = first; q < first + count; ++q)
+        sum += geometry.points[q].weight * AtPoint::dilatation(finite, h[q]);
+    });
+    const T mean = sum / Base::volume(geometry);
+    for (Small<T, G>& own : h) own = State<T>(finite, own, mean).scaled;
+    return T(1.0);
+  }
 
   /// Returns the stored energy [E0 L0^D].
   template <class T>
   static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
-    const T mean = mean_dilatation(geometry, u);
-    T sum(0.0);
-    for (std::size_t q = 0; q < geometry.points.size(); ++q)
-      sum += geometry.points[q].weight * material.energy(State<T>(gradient_at(geometry, q, u), mean).scaled);
-    return sum;
-  }
-
-  /// See ElasticKernel::mean(). H is H~, so the mean J is Jm (1 for a linear law).
-  template <class T, class Value>
-  static auto mean(const Material& /*material*/, const Geometry<T>& geometry, const Nodal<T>& u, const Value& value) {
-    const T mean = mean_dilatation(geometry, u);
-    return mean_over_points(
-        geometry.points, [&](std::size_t q) { return State<T>(gradient_at(geometry, q, u), mean).scaled; }, value);
+    return energy_of<MeanDilatationKernel>(material, geometry, u);
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane; if it
@@ -65,33 +71,38 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
+    const auto& law = law_in<Space>(material);
+    const bool finite = law.can_invert();
     T least_jacobian(1e300);
-    std::vector<Mean<T>> means = dilatations(geometry, segment, rule, least_jacobian);
-    if constexpr (Material::has_limit)
-      if (material.is_limited() && !rule.has_end())
-        least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const T& w = geometry.points[q].weight;
-      const Gradients<T> dn = Base::shape_gradients(geometry, q);
-      const Ends<T> ends(segment, dn);
-      Small<T, G> local{};
+    std::vector<Mean<T>> means = dilatations(finite, geometry, segment, rule, least_jacobian);
+    if (law.is_limited() && !rule.has_end())
+      least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
+    Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
+      const typename Base::template Ends<T> ends(geometry, first, count, segment);
+      std::array<Small<T, G>, batch> local;
+      std::fill_n(local.data(), count, Small<T, G>{});
       for (std::size_t k = 0; k < means.size(); ++k) {
-        const State<T> s(ends.at(rule.points[k]), means[k].dilatation);
-        Small<T, G> p;
-        const T jacobian = material.stress(s.scaled, p);
-        if constexpr (Material::has_limit) least_jacobian = smaller(least_jacobian, jacobian);
-        const T pressure = s.product(p) * (1.0 / G);
-        for (std::size_t i = 0; i < G; ++i)
-          for (std::size_t j = 0; j < G; ++j)
-            local[i][j] += rule.points[k].weight * (s.scale * p[i][j] - pressure * s.inverse[j][i]);
-        means[k].pressure += w * pressure;
-        s.add_volume_gradient(dn, w, means[k].gradient);
+        const Batch<T> at(finite, ends.points(), rule.points[k], means[k].dilatation);
+        std::array<Small<T, G>, batch> p, volumes;
+        std::array<T, batch> admissible;
+        law.stress(count, at.scaled.data(), p.data(), admissible.data());
+        for (std::size_t q = 0; q < count; ++q) {
+          const State<T>& s = at.states[q];
+          if (law.is_limited()) least_jacobian = smaller(least_jacobian, admissible[q]);
+          const T pressure = s.product(p[q]) * (1.0 / G);
+          for (std::size_t i = 0; i < G; ++i)
+            for (std::size_t j = 0; j < G; ++j)
+              local[q][i][j] += rule.points[k].weight * (s.scale * p[q][i][j] - pressure * s.inverse[j][i]);
+          means[k].pressure += geometry.points[first + q].weight * pressure;
+          volumes[q] = s.cofactors();
+        }
+        Base::add_forces(geometry, first, count, volumes.data(), means[k].gradient);
       }
-      add_nodal_forces(w, local, dn, f);
-    }
+      Base::add_forces(geometry, first, count, local.data(), f);
+    });
     const T reference = Base::volume(geometry);
     for (std::size_t k = 0; k < means.size(); ++k) {
-      const T factor = rule.points[k].weight * means[k].pressure / means[k].volume(reference);
+      const T factor = rule.points[k].weight * means[k].pressure / means[k].volume(finite, reference);
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t i = 0; i < D; ++i) f[a][i] += factor * means[k].gradient[a][i];
     }
@@ -104,46 +115,68 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   template <class T>
   static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
                           const Rule& rule, Tangent<T>& k) {
+    const auto& law = law_in<Space>(material);
+    const bool finite = law.can_invert();
     T least_jacobian(1e300);
-    std::vector<Mean<T>> means = dilatations(geometry, segment, rule, least_jacobian);
-    if constexpr (finite) add_pressures(material, geometry, segment, rule, means);
+    std::vector<Mean<T>> means = dilatations(finite, geometry, segment, rule, least_jacobian);
+    if (finite) add_pressures(law, geometry, segment, rule, means);
     const T reference = Base::volume(geometry);
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const T& w = geometry.points[q].weight;
-      const Gradients<T> dn = Base::shape_gradients(geometry, q);
-      const Ends<T> ends(segment, dn);
-      Small<T, G * G> sum{};
+    Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
+      const typename Base::template Ends<T> ends(geometry, first, count, segment);
+      std::array<Small<T, G * G>, batch> sums;
+      std::fill_n(sums.data(), count, Small<T, G * G>{});
       for (std::size_t point = 0; point < means.size(); ++point) {
         Mean<T>& mean = means[point];
-        const State<T> s(ends.at(rule.points[point]), mean.dilatation);
-        const T sigma = mean.pressure / mean.volume(reference) * s.jacobian;
-        const Moduli<T> moduli(material, s, sigma);
+        const Batch<T> at(finite, ends.points(), rule.points[point], mean.dilatation);
+        std::array<Small<T, G>, batch> p, volumes, couplings;
+        std::array<Small<T, G * G>, batch> a;
+        law.stress_and_moduli(count, at.scaled.data(), p.data(), a.data());
         const double factor = rule.points[point].weight * rule.points[point].to;
-        for (std::size_t r = 0; r < G * G; ++r)
-          for (std::size_t c = 0; c < G * G; ++c) sum[r][c] += factor * moduli.local[r][c];
-        add_nodal_forces(w, moduli.coupling, dn, mean.coupling);
-        mean.second += w * moduli.second;
-        s.add_volume_gradient(dn, w, mean.gradient);
+        for (std::size_t q = 0; q < count; ++q) {
+          const State<T>& s = at.states[q];
+          const T sigma = mean.pressure / mean.volume(finite, reference) * s.jacobian;
+          const Moduli<T> moduli(s, p[q], a[q], sigma, sigma);
+          for (std::size_t r = 0; r < G * G; ++r)
+            for (std::size_t c = 0; c < G * G; ++c) sums[q][r][c] += factor * moduli.local[r][c];
+          couplings[q] = moduli.coupling;
+          volumes[q] = s.cofactors();
+          mean.second += geometry.points[first + q].weight * moduli.second;
+        }
+        Base::add_forces(geometry, first, count, couplings.data(), mean.coupling);
+        Base::add_forces(geometry, first, count, volumes.data(), mean.gradient);
       }
-      for (auto& row : sum)
-        for (T& value : row) value *= w;
-      add_contraction<true>(dn, dn, sum, k);
-    }
+      Base::add_tangent_of(
+          geometry, first, count, true,
+          [&](std::size_t begin, std::size_t n, Small<T, C>* own) {
+            for (std::size_t q = 0; q < n; ++q) copy_moduli(sums[begin + q], own[q]);
+          },
+          k);
+    });
     for (std::size_t point = 0; point < means.size(); ++point)
-      means[point].add_to(rule.points[point].weight * rule.points[point].to, reference, k);
+      means[point].add_to(finite, rule.points[point].weight * rule.points[point].to, reference, k);
   }
 
  private:
-  using AtPoint = MeanDilatationPoint<Material, G>;
-  static constexpr bool finite = AtPoint::finite;
+  using AtPoint = MeanDilatationPoint<G>;
   template <class T>
   using State = typename AtPoint::template State<T>;
   template <class T>
   using Moduli = typename AtPoint::template Moduli<T>;
-  template <class T>
-  using Ends = typename Base::template Ends<T>;
 
-  /// The sums of one time point over the quadrature points.
+  /// F~ at the points of a batch, at one time point.
+  template <class T>
+  struct Batch {
+    Batch(bool finite, const PointEnds<T, G>& ends, const RulePoint& point, const T& mean_dilatation) {
+      for (std::size_t q = 0; q < ends.size; ++q) {
+        states[q] = State<T>(finite, ends.at(q, point), mean_dilatation);
+        scaled[q] = states[q].scaled;
+      }
+    }
+    std::array<State<T>, batch> states;
+    std::array<Small<T, G>, batch> scaled;
+  };
+
+  /// The mean dilatation at one time point, and its pressure.
   template <class T>
   struct Mean {
     T dilatation{0.0};    ///< Jm - 1
@@ -153,16 +186,12 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     Nodal<T> coupling{};  ///< sum w phi_Ft dN
 
     /// Returns the present volume; the reference volume for a linear law.
-    T volume(const T& reference) const {
-      if constexpr (finite) return reference * (1.0 + dilatation);
-      return reference;
-    }
+    T volume(bool finite, const T& reference) const { return finite ? reference * (1.0 + dilatation) : reference; }
 
-    void add_to(double factor, const T& reference, Tangent<T>& k) const {
+    void add_to(bool finite, double factor, const T& reference, Tangent<T>& k) const {
       Nodal<T> m, p;
-      const T inverse_volume = 1.0 / volume(reference);
-      T half = 0.5 * second;
-      if constexpr (finite) half -= 0.5 * pressure;
+      const T inverse_volume = 1.0 / volume(finite, reference);
+      const T half = 0.5 * (second - pressure);  // a linear law has no pressure
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t i = 0; i < D; ++i) {
           m[a][i] = inverse_volume * gradient[a][i];
@@ -177,63 +206,55 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     }
   };
 
-  template <class T>
-  static Small<T, G> gradient_at(const Geometry<T>& geometry, std::size_t q, const Nodal<T>& u) {
-    return Base::gradient(u, Base::shape_gradients(geometry, q));
-  }
-
-  /// Returns Jm - 1.
-  template <class T>
-  static T mean_dilatation(const Geometry<T>& geometry, const Nodal<T>& u) {
-    T sum(0.0);
-    for (std::size_t q = 0; q < geometry.points.size(); ++q)
-      sum += geometry.points[q].weight * AtPoint::dilatation(gradient_at(geometry, q, u));
-    return sum / Base::volume(geometry);
-  }
-
   /// Returns the least admissibility of F~ at the end of the segment.
   template <class T>
   static T end_admissibility(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment) {
-    const T mean = mean_dilatation(geometry, *segment.to);
+    std::vector<Small<T, G>> h;
+    seen(material, geometry, *segment.to, h);
     T least_admissibility(1e300);
-    for (std::size_t q = 0; q < geometry.points.size(); ++q)
-      least_admissibility = smaller(
-          least_admissibility, material.admissibility(State<T>(gradient_at(geometry, q, *segment.to), mean).scaled));
+    for (const Small<T, G>& own : h)
+      least_admissibility = smaller(least_admissibility, law_in<Space>(material).admissibility(own));
     return least_admissibility;
   }
 
   /// Returns one Mean for each time point, with Jm - 1; lowers `least_jacobian` to the least J.
   template <class T>
-  static std::vector<Mean<T>> dilatations(const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
-                                          T& least_jacobian) {
+  static std::vector<Mean<T>> dilatations(bool finite, const Geometry<T>& geometry, const Segment<T>& segment,
+                                          const Rule& rule, T& least_jacobian) {
     std::vector<Mean<T>> means(rule.points.size());
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const Ends<T> ends(segment, Base::shape_gradients(geometry, q));
-      for (std::size_t k = 0; k < means.size(); ++k) {
-        const T change = AtPoint::dilatation(ends.at(rule.points[k]));
-        means[k].dilatation += geometry.points[q].weight * change;
-        if constexpr (finite) least_jacobian = smaller(least_jacobian, T(1.0 + change));
+    Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
+      const typename Base::template Ends<T> ends(geometry, first, count, segment);
+      const PointEnds<T, G> points = ends.points();
+      for (std::size_t q = 0; q < count; ++q) {
+        for (std::size_t k = 0; k < means.size(); ++k) {
+          const T change = AtPoint::dilatation(finite, points.at(q, rule.points[k]));
+          means[k].dilatation += geometry.points[first + q].weight * change;
+          if (finite) least_jacobian = smaller(least_jacobian, T(1.0 + change));
+        }
+        if (finite) least_jacobian = smaller(least_jacobian, determinant(deformation_gradient(points.to[q])));
       }
-      if constexpr (finite) least_jacobian = smaller(least_jacobian, ends.jacobian());
-    }
+    });
     const T reference = Base::volume(geometry);
     for (Mean<T>& mean : means) mean.dilatation = mean.dilatation / reference;
     return means;
   }
 
   /// Returns S of each time point.
-  template <class T>
-  static void add_pressures(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
-                            const Rule& rule, std::vector<Mean<T>>& means) {
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const Ends<T> ends(segment, Base::shape_gradients(geometry, q));
+  template <class Points, class T>
+  static void add_pressures(const Points& law, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
+                            std::vector<Mean<T>>& means) {
+    const bool finite = law.can_invert();
+    Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
+      const typename Base::template Ends<T> ends(geometry, first, count, segment);
       for (std::size_t k = 0; k < means.size(); ++k) {
-        const State<T> s(ends.at(rule.points[k]), means[k].dilatation);
-        Small<T, G> p;
-        material.stress(s.scaled, p);
-        means[k].pressure += geometry.points[q].weight * s.product(p) * (1.0 / G);
+        const Batch<T> at(finite, ends.points(), rule.points[k], means[k].dilatation);
+        std::array<Small<T, G>, batch> p;
+        std::array<T, batch> admissible;
+        law.stress(count, at.scaled.data(), p.data(), admissible.data());
+        for (std::size_t q = 0; q < count; ++q)
+          means[k].pressure += geometry.points[first + q].weight * at.states[q].product(p[q]) * (1.0 / G);
       }
-    }
+    });
   }
 };
 

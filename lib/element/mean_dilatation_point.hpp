@@ -6,6 +6,7 @@
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
 #include "element/displacement_gradient.hpp"
+#include "material/cube_root.hpp"
 #include "material/exp_series.hpp"
 #include "material/log_series.hpp"
 #include "material/strain.hpp"
@@ -14,11 +15,9 @@ namespace ixos {
 
 /// One point's part of the energy W(F~), F~ = (Jm/J)^(1/D) F (see MeanDilatationKernel), and its derivatives by F and
 /// by theta = ln Jm. For a linear law it is the limit of small strains.
-template <class Material, std::size_t D>
+/// `finite`: false for a law of small strains, which accepts any F; its J is 1.
+template <std::size_t D>
 struct MeanDilatationPoint {
-  /// Small-strain laws accept any F; their J is 1.
-  static constexpr bool finite = Material::can_invert;
-
   template <class T>
   static T trace(const Small<T, D>& m) {
     T sum = m[0][0];
@@ -28,88 +27,70 @@ struct MeanDilatationPoint {
 
   /// Returns J - 1; for a linear law its linear part.
   template <class T>
-  static T dilatation(const Small<T, D>& h) {
-    if constexpr (finite) return determinant_minus_one(h);
-    return trace(h);
+  static T dilatation(bool finite, const Small<T, D>& h) {
+    return finite ? determinant_minus_one(h) : trace(h);
   }
 
   /// Returns ln J, 0 if J <= 0; for a linear law the trace of H.
   template <class T>
-  static T log_ratio(const Small<T, D>& h) {
-    if constexpr (finite) {
-      using std::abs;
-      using std::log;
-      const T change = determinant_minus_one(h);
-      const auto small = abs(change) < 0.2;
-      const T close = log_one_plus(T(select(small, change, T(0.0))));
-      if (everywhere(small)) return close;
-      // Far from 1, J has more correct digits than J - 1.
-      const T ratio = determinant(deformation_gradient(h));
-      return select(small, close, T(log(T(select(ratio > 0.0, ratio, T(1.0))))));
-    } else {
-      return trace(h);
-    }
+  static T log_ratio(bool finite, const Small<T, D>& h) {
+    using std::abs;
+    using std::log;
+    if (!finite) return trace(h);
+    const T change = determinant_minus_one(h);
+    const auto small = abs(change) < 0.2;
+    const T close = log_one_plus(T(select(small, change, T(0.0))));
+    if (everywhere(small)) return close;
+    // Far from 1, J has more correct digits than J - 1.
+    const T ratio = determinant(deformation_gradient(h));
+    return select(small, close, T(log(T(select(ratio > 0.0, ratio, T(1.0))))));
   }
 
   /// H~ at a point and the quantities that its variation needs; for a linear law all except H~ are those at rest.
   template <class T>
   struct State {
+    State() {}  // NOLINT(modernize-use-equals-default): leaves arrays of states as they are
     /// The volume ratio of F~ is 1 + mean_dilatation.
-    State(const Small<T, D>& h, const T& mean_dilatation) : State(h) {
-      if constexpr (finite)
-        stretch(root_minus_one(T((mean_dilatation - dilatation(h)) / jacobian)));
-      else
-        stretch(T((mean_dilatation - dilatation(h)) * (1.0 / D)));
+    State(bool finite, const Small<T, D>& h, const T& mean_dilatation) : State(finite, h) {
+      const T change = mean_dilatation - dilatation(finite, h);
+      stretch(finite ? root_minus_one(T(change / jacobian)) : T(change * (1.0 / D)));
     }
 
     /// Returns the state F~ = exp(exponent) F; for a linear law H~ = H + exponent I.
-    static State stretched(const Small<T, D>& h, const T& exponent) {
-      State s(h);
-      if constexpr (finite)
-        s.stretch(T(exponent * exp_quotient(exponent)));
-      else
-        s.stretch(exponent);
+    static State stretched(bool finite, const Small<T, D>& h, const T& exponent) {
+      State s(finite, h);
+      s.stretch(finite ? T(exponent * exp_quotient(exponent)) : exponent);
       return s;
     }
 
     /// Returns m:F~; for a linear law the trace.
     T product(const Small<T, D>& m) const {
       T sum = trace(m);
-      if constexpr (finite)
+      if (of_finite)
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t j = 0; j < D; ++j) sum += m[i][j] * scaled[i][j];
       return sum;
     }
 
-    /// Adds w dJ/du.
-    template <std::size_t N>
-    void add_volume_gradient(const Small<T, N, D>& dn, const T& w, Small<T, N, D>& result) const {
-      const T factor = w * jacobian;
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i) {
-          T sum = dn[a][0] * inverse[0][i];
-          for (std::size_t j = 1; j < D; ++j) sum += dn[a][j] * inverse[j][i];
-          result[a][i] += factor * sum;
-        }
-    }
-    template <std::size_t N>
-    void add_volume_gradient(const RevolvedGradients<T, N>& dn, const T& w, Small<T, N, 2>& result) const {
-      const T factor = w * jacobian;
-      Small<T, D> cofactor;
+    /// Returns dJ/dF = J F^-T.
+    Small<T, D> cofactors() const {
+      Small<T, D> result;
       for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) cofactor[i][j] = factor * inverse[j][i];
-      add_nodal_forces(cofactor, dn, result);
+        for (std::size_t j = 0; j < D; ++j) result[i][j] = jacobian * inverse[j][i];
+      return result;
     }
 
     Small<T, D> scaled;   ///< H~ = F~ - I
     T scale;              ///< of F~ = scale F, such as (Jm/J)^(1/D)
     T jacobian;           ///< J
     Small<T, D> inverse;  ///< F^-1
+    bool of_finite;       ///< `finite` of its law
 
    private:
-    /// F~ = F. This function and stretch() are inlined, so that they round like one function.
-    [[gnu::always_inline]] explicit State(const Small<T, D>& h) : scaled(h), scale(1.0), jacobian(1.0), inverse{} {
-      if constexpr (finite) {
+    /// F~ = F.
+    [[gnu::always_inline]] State(bool finite, const Small<T, D>& h)
+        : scaled(h), scale(1.0), jacobian(1.0), inverse{}, of_finite(finite) {
+      if (finite) {
         Small<T, D> f = h;
         for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
         jacobian = determinant(f);
@@ -121,7 +102,7 @@ struct MeanDilatationPoint {
 
     /// Multiplies F~ by 1 + change; for a linear law adds change I.
     [[gnu::always_inline]] void stretch(const T& change) {
-      if constexpr (finite) {
+      if (of_finite) {
         scale = 1.0 + change;
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t j = 0; j < D; ++j) scaled[i][j] *= scale;
@@ -131,11 +112,11 @@ struct MeanDilatationPoint {
 
     /// Returns (1 + x)^(1/D) - 1 without cancellation.
     static T root_minus_one(const T& x) {
-      using std::cbrt;
       using std::sqrt;
-      if constexpr (D == 2) return x / (1.0 + sqrt(T(1.0 + x)));
-      const T root = cbrt(T(1.0 + x));
-      return x / (1.0 + root + root * root);
+      if constexpr (D == 2)
+        return x / (1.0 + sqrt(T(1.0 + x)));
+      else
+        return cube_root_minus_one(x);
     }
   };
 
@@ -146,33 +127,31 @@ struct MeanDilatationPoint {
   /// J S/(V Jm). With ln J, along is 0.
   template <class T>
   struct Moduli {
-    [[gnu::always_inline]] Moduli(const Material& material, const State<T>& s, const T& sigma)
-        : Moduli(material, s, sigma, sigma) {}
-    // It is inlined: a call for each point, through memory, would cost a tenth of a tangent's speed.
-    [[gnu::always_inline]] Moduli(const Material& material, const State<T>& s, const T& along, const T& across) {
-      Small<T, D> p;
-      Small<T, D * D> a;
-      material.stress_and_moduli(s.scaled, p, a);
+    /// `p` and `a`: the law's stress and moduli at s.scaled. It is inlined: a call for each point, through memory,
+    /// would cost a tenth of a tangent's speed.
+    [[gnu::always_inline]] Moduli(const State<T>& s, const Small<T, D>& p, const Small<T, D * D>& a, const T& along,
+                                  const T& across) {
       Small<T, D> q;
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) {
           const auto& row = a[i * D + j];
           T sum = row[0];
           for (std::size_t m = 1; m < D; ++m) sum += row[m * D + m];
-          if constexpr (finite)
+          if (s.of_finite)
             for (std::size_t m = 0; m < D * D; ++m) sum += row[m] * s.scaled[m / D][m % D];
           q[i][j] = sum;
         }
       T t(0.0);
       T z = s.product(q) * (1.0 / D);
-      if constexpr (finite) {
+      if (s.of_finite) {
         t = s.product(p) * (1.0 / D);
         z += t;
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t j = 0; j < D; ++j) q[i][j] = s.scale * (p[i][j] + q[i][j]);
       }
       second = z * (1.0 / D);
-      const T parallel = second + along, crossed = t - across, square = s.scale * s.scale;
+      const T parallel = second + along, square = s.scale * s.scale;
+      const T crossed = t - across;  // 0 for a linear law
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) coupling[i][j] = (q[i][j] - z * s.inverse[j][i]) * (1.0 / D);
       // -(Q (x) G + G (x) Q)/D + parallel G (x) G = G (x) R + R (x) G
@@ -183,9 +162,8 @@ struct MeanDilatationPoint {
         for (std::size_t j = 0; j < D; ++j)
           for (std::size_t m = 0; m < D; ++m)
             for (std::size_t n = 0; n < D; ++n) {
-              T value = square * a[i * D + j][m * D + n] + s.inverse[j][i] * r[m][n] + r[i][j] * s.inverse[n][m];
-              if constexpr (finite) value += crossed * (s.inverse[n][i] * s.inverse[j][m]);
-              local[i * D + j][m * D + n] = value;
+              local[i * D + j][m * D + n] = square * a[i * D + j][m * D + n] + s.inverse[j][i] * r[m][n] +
+                                            r[i][j] * s.inverse[n][m] + crossed * (s.inverse[n][i] * s.inverse[j][m]);
             }
     }
 

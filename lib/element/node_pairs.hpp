@@ -57,14 +57,6 @@ template <bool symmetric, class T, std::size_t L, std::size_t R>
         }
   }
 }
-template <bool symmetric, class T, std::size_t L, std::size_t R>
-[[gnu::always_inline]] inline void add_contraction(const RevolvedGradients<T, L>& left,
-                                                   const RevolvedGradients<T, R>& right, const Small<T, 9>& moduli,
-                                                   Small<T, L * 2, R * 2>& k) {
-  Small<T, meridian_size> in_meridian;
-  copy_meridian(moduli, in_meridian);
-  add_contraction<symmetric>(left, right, in_meridian, k);
-}
 
 /// The tangent at one quadrature and time point: shape gradients in the reference and in the deformed body, and the
 /// material's coefficients times the weights.

@@ -5,7 +5,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "element/elastic_kernel.hpp"
+#include "element/cell_kernel.hpp"
+#include "element/kernel_law.hpp"
 #include "element/linear_projection.hpp"
 #include "element/mean_dilatation_kernel.hpp"
 #include "element/mean_dilatation_point.hpp"
@@ -28,14 +29,15 @@ namespace ixos {
 /// Plane strain, rings and linear laws (l becomes tr H) are as in MeanDilatationKernel, and so are homogeneous states.
 /// The weights of a ring include 2 pi R. The kernel has no discrete gradient.
 template <class Element, class Material>
-struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
-  using Base = ElasticKernel<Element, Material>;
-  static constexpr std::size_t D = Base::D;
-  static constexpr std::size_t N = Base::N;
-  static constexpr std::size_t G = Base::G;
+struct ProjectedDilatationKernel : CellKernel<Element> {
+  using Base = CellKernel<Element>;
+  using Law = Material;
+  using Base::D;
+  using Base::G;
+  using Base::N;
+  using typename Base::Space;
   static constexpr std::size_t C = Base::C;
   static constexpr bool has_discrete_gradient = false;
-  static constexpr bool keeps_points = false;
 
   using Table = typename Base::Table;
   template <class T>
@@ -52,7 +54,7 @@ struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
     LinearProjection<T, D> projection;
   };
 
-  /// See ElasticKernel::geometry().
+  /// See CellKernel::geometry().
   template <class T>
   static Geometry<T> geometry(const Table& table, const Nodal<T>& x) {
     const auto plain = Base::geometry(table, x);
@@ -66,51 +68,44 @@ struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
     return {plain, LinearProjection<T, D>(plain.points, places)};
   }
 
+  /// See EnhancedKernel::seen(). H is H~.
+  template <class T>
+  static T seen(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u, std::vector<Small<T, G>>& h) {
+    const Rule end = end_rule();
+    const States<T> states(law_in<Space>(material).can_invert(), geometry, {nullptr, nullptr, &u}, end);
+    h.resize(states.size);
+    for (std::size_t q = 0; q < states.size; ++q) h[q] = states.at(q, 0).scaled;
+    return T(1.0);
+  }
+
   /// Returns the stored energy [E0 L0^D].
   template <class T>
   static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
-    const Rule end = end_rule();
-    const States<T> states(geometry, {nullptr, nullptr, &u}, end);
-    T sum(0.0);
-    for (std::size_t q = 0; q < states.size; ++q)
-      sum += geometry.points[q].weight * material.energy(states.at(q, 0).scaled);
-    return sum;
-  }
-
-  /// See ElasticKernel::mean(). H is H~.
-  template <class T, class Value>
-  static auto mean(const Material& /*material*/, const Geometry<T>& geometry, const Nodal<T>& u, const Value& value) {
-    const Rule end = end_rule();
-    const States<T> states(geometry, {nullptr, nullptr, &u}, end);
-    return mean_over_points(
-        geometry.points, [&](std::size_t q) { return states.at(q, 0).scaled; }, value);
+    return energy_of<ProjectedDilatationKernel>(material, geometry, u);
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane.
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
-    const States<T> states(geometry, segment, rule);
+    const auto& law = law_in<Space>(material);
+    const States<T> states(law.can_invert(), geometry, segment, rule);
     T least_jacobian = states.least_jacobian;
-    if constexpr (Material::has_limit)
-      if (material.is_limited() && !rule.has_end())
-        least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
+    if (law.is_limited() && !rule.has_end())
+      least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
     const std::size_t size = states.size;
     std::vector<Small<T, G>> sums(size, Small<T, G>{}), inverses(size);
     std::vector<T> pressures(size), projected(size);
     for (std::size_t k = 0; k < rule.points.size(); ++k) {
       const double share = rule.points[k].weight;
-      for (std::size_t q = 0; q < size; ++q) {
-        const State<T> s = states.at(q, k);
-        Small<T, G> p;
-        const T jacobian = material.stress(s.scaled, p);
-        if constexpr (Material::has_limit) least_jacobian = smaller(least_jacobian, jacobian);
+      for_each_stress(law, states, k, [&](std::size_t q, const State<T>& s, const Small<T, G>& p, const T& admissible) {
+        if (law.is_limited()) least_jacobian = smaller(least_jacobian, admissible);
         pressures[q] = s.product(p) * (1.0 / G);
         inverses[q] = s.inverse;
         const T factor = share * s.scale;
         for (std::size_t i = 0; i < G; ++i)
           for (std::size_t j = 0; j < G; ++j) sums[q][i][j] += factor * p[i][j];
-      }
+      });
       geometry.projection.project(geometry.points, pressures.data(), projected.data());
       for (std::size_t q = 0; q < size; ++q) {
         const T factor = share * (projected[q] - pressures[q]);
@@ -131,38 +126,40 @@ struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
   template <class T>
   static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
                           const Rule& rule, Tangent<T>& k) {
-    const States<T> states(geometry, segment, rule);
+    const auto& law = law_in<Space>(material);
+    const States<T> states(law.can_invert(), geometry, segment, rule);
     const std::size_t size = states.size, count = rule.points.size();
     std::vector<T> pressures(count * size, T(0.0));
-    if constexpr (finite) add_pressures(material, geometry, states, pressures);
+    if (states.finite) add_pressures(law, geometry, states, pressures);
     std::vector<Small<T, G>> volumes(count * size), couplings(count * size);
     std::vector<Small<T, M>> seconds(count, Small<T, M>{});
-    Base::add_symmetric_tangent(
-        geometry,
-        [&](std::size_t q, const Gradients<T>& /*dn*/, Small<T, C>& result) {
-          const T& w = geometry.points[q].weight;
-          const std::array<T, M>& functions = geometry.projection.at(q);
-          Small<T, G * G> sum{};
+    Base::add_tangent_of(
+        geometry, 0, size, true,
+        [&](std::size_t begin, std::size_t points, Small<T, C>* result) {
+          std::array<Small<T, G * G>, contractions_at_once> sums;
+          std::fill_n(sums.data(), points, Small<T, G * G>{});
           for (std::size_t point = 0; point < count; ++point) {
-            const std::size_t place = point * size + q;
-            const State<T> s = states.at(q, point);
-            const Moduli<T> moduli(material, s, T(0.0), pressures[place]);
+            std::array<State<T>, contractions_at_once> at;
+            std::array<Small<T, G>, contractions_at_once> scaled, p;
+            std::array<Small<T, G * G>, contractions_at_once> a;
+            for (std::size_t i = 0; i < points; ++i) scaled[i] = (at[i] = states.at(begin + i, point)).scaled;
+            law.stress_and_moduli(points, scaled.data(), p.data(), a.data());
             const double factor = rule.points[point].weight * rule.points[point].to;
-            for (std::size_t r = 0; r < G * G; ++r)
-              for (std::size_t c = 0; c < G * G; ++c) sum[r][c] += factor * moduli.local[r][c];
-            couplings[place] = moduli.coupling;
-            for (std::size_t i = 0; i < G; ++i)
-              for (std::size_t j = 0; j < G; ++j) volumes[place][i][j] = s.inverse[j][i];
-            const T second = w * moduli.second;
-            for (std::size_t i = 0; i < M; ++i)
-              for (std::size_t j = 0; j < M; ++j) seconds[point][i][j] += second * (functions[i] * functions[j]);
+            for (std::size_t i = 0; i < points; ++i) {
+              const std::size_t q = begin + i, place = point * size + q;
+              const Moduli<T> moduli(at[i], p[i], a[i], T(0.0), pressures[place]);
+              for (std::size_t r = 0; r < G * G; ++r)
+                for (std::size_t c = 0; c < G * G; ++c) sums[i][r][c] += factor * moduli.local[r][c];
+              couplings[place] = moduli.coupling;
+              for (std::size_t r = 0; r < G; ++r)
+                for (std::size_t c = 0; c < G; ++c) volumes[place][r][c] = at[i].inverse[c][r];
+              const std::array<T, M>& functions = geometry.projection.at(q);
+              const T second = geometry.points[q].weight * moduli.second;
+              for (std::size_t r = 0; r < M; ++r)
+                for (std::size_t c = 0; c < M; ++c) seconds[point][r][c] += second * (functions[r] * functions[c]);
+            }
           }
-          if constexpr (Base::revolved)
-            copy_meridian(sum, result);
-          else
-            result = sum;
-          for (auto& row : result)
-            for (T& value : row) value *= w;
+          for (std::size_t i = 0; i < points; ++i) copy_moduli(sums[i], result[i]);
         },
         k);
     PointScratch<D, T> scratch(size);
@@ -173,39 +170,36 @@ struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
 
  private:
   static constexpr std::size_t M = LinearProjection<double, D>::size;
-  using AtPoint = MeanDilatationPoint<Material, G>;
-  static constexpr bool finite = AtPoint::finite;
+  using AtPoint = MeanDilatationPoint<G>;
   template <class T>
   using State = typename AtPoint::template State<T>;
   template <class T>
   using Moduli = typename AtPoint::template Moduli<T>;
-  template <class T>
-  using Ends = typename Base::template Ends<T>;
 
   /// F~ at the quadrature points and at the time points of a rule, which outlives it.
   template <class T>
   struct States {
-    States(const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule)
-        : time_points(rule.points),
+    States(const States&) = delete;  // the ends point into it
+    States& operator=(const States&) = delete;
+    States(bool of_finite, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule)
+        : finite(of_finite),
+          time_points(rule.points),
           size(geometry.points.size()),
           exponents(rule.points.size() * size),
           least_jacobian(1e300) {
       PointScratch<D, T> scratch(size);
-      std::vector<Small<T, G>> to, from, velocity;
       find_gradients(geometry, *segment.to, scratch, to);
       if (segment.from != nullptr) find_gradients(geometry, *segment.from, scratch, from);
       if (segment.velocity != nullptr) find_gradients(geometry, *segment.velocity, scratch, velocity);
-      ends.reserve(size);
-      for (std::size_t q = 0; q < size; ++q) {
-        ends.emplace_back(to[q], from.empty() ? nullptr : &from[q], velocity.empty() ? nullptr : &velocity[q]);
-        if constexpr (finite) least_jacobian = smaller(least_jacobian, ends.back().jacobian());
-      }
+      ends = {size, to.data(), from.empty() ? nullptr : from.data(), velocity.empty() ? nullptr : velocity.data()};
+      if (finite)
+        for (const Small<T, G>& h : to) least_jacobian = smaller(least_jacobian, determinant(deformation_gradient(h)));
       std::vector<T> logarithms(size);
       for (std::size_t k = 0; k < time_points.size(); ++k) {
         for (std::size_t q = 0; q < size; ++q) {
-          const Small<T, G> h = ends[q].at(time_points[k]);
-          if constexpr (finite) least_jacobian = smaller(least_jacobian, T(1.0 + AtPoint::dilatation(h)));
-          logarithms[q] = AtPoint::log_ratio(h);
+          const Small<T, G> h = ends.at(q, time_points[k]);
+          if (finite) least_jacobian = smaller(least_jacobian, T(1.0 + AtPoint::dilatation(finite, h)));
+          logarithms[q] = AtPoint::log_ratio(finite, h);
         }
         T* own = &exponents[k * size];
         geometry.projection.project(geometry.points, logarithms.data(), own);
@@ -214,12 +208,14 @@ struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
     }
 
     State<T> at(std::size_t q, std::size_t k) const {
-      return State<T>::stretched(ends[q].at(time_points[k]), exponents[k * size + q]);
+      return State<T>::stretched(finite, ends.at(q, time_points[k]), exponents[k * size + q]);
     }
 
+    bool finite;  ///< see MeanDilatationPoint
     const std::vector<RulePoint>& time_points;
     std::size_t size;  ///< number of quadrature points
-    std::vector<Ends<T>> ends;
+    std::vector<Small<T, G>> to, from, velocity;
+    PointEnds<T, G> ends;
     std::vector<T> exponents;  ///< (Pi l - l)/D, by time point and quadrature point
     T least_jacobian;          ///< of the time points and of the segment's end
   };
@@ -263,29 +259,41 @@ struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
                                                                 scratch.values.data(), f);
   }
 
+  /// Calls visit(point, state, stress, admissibility) for the points of one time point.
+  template <class Points, class T, class Visit>
+  static void for_each_stress(const Points& law, const States<T>& states, std::size_t k, const Visit& visit) {
+    constexpr std::size_t at_once = 8;
+    for (std::size_t first = 0; first < states.size; first += at_once) {
+      const std::size_t count = std::min(at_once, states.size - first);
+      std::array<State<T>, at_once> at;
+      std::array<Small<T, G>, at_once> scaled, p;
+      std::array<T, at_once> admissible;
+      for (std::size_t q = 0; q < count; ++q) scaled[q] = (at[q] = states.at(first + q, k)).scaled;
+      law.stress(count, scaled.data(), p.data(), admissible.data());
+      for (std::size_t q = 0; q < count; ++q) visit(first + q, at[q], p[q], admissible[q]);
+    }
+  }
+
   /// Returns the least admissibility of F~ at the end of the segment.
   template <class T>
   static T end_admissibility(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment) {
-    const Rule end = end_rule();
-    const States<T> states(geometry, {nullptr, nullptr, segment.to}, end);
+    std::vector<Small<T, G>> h;
+    seen(material, geometry, *segment.to, h);
     T least_admissibility(1e300);
-    for (std::size_t q = 0; q < states.size; ++q)
-      least_admissibility = smaller(least_admissibility, material.admissibility(states.at(q, 0).scaled));
+    for (const Small<T, G>& own : h)
+      least_admissibility = smaller(least_admissibility, law_in<Space>(material).admissibility(own));
     return least_admissibility;
   }
 
   /// Computes Pi p, by time point and quadrature point.
-  template <class T>
-  static void add_pressures(const Material& material, const Geometry<T>& geometry, const States<T>& states,
+  template <class Points, class T>
+  static void add_pressures(const Points& law, const Geometry<T>& geometry, const States<T>& states,
                             std::vector<T>& result) {
     std::vector<T> pressures(states.size);
     for (std::size_t k = 0; k < states.time_points.size(); ++k) {
-      for (std::size_t q = 0; q < states.size; ++q) {
-        const State<T> s = states.at(q, k);
-        Small<T, G> p;
-        material.stress(s.scaled, p);
+      for_each_stress(law, states, k, [&](std::size_t q, const State<T>& s, const Small<T, G>& p, const T&) {
         pressures[q] = s.product(p) * (1.0 / G);
-      }
+      });
       geometry.projection.project(geometry.points, pressures.data(), &result[k * states.size]);
     }
   }

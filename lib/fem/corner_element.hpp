@@ -45,11 +45,11 @@ struct CornerElement<Hex27C4> {
   using type = Hex8;
 };
 
-/// Whether an element is linear, and so may have parents (see Halving).
+/// Whether an element is linear, and so may have coarse cells (see Refinement).
 template <class Element>
 constexpr bool is_linear_element = Element::nodes == std::size_t{1} << Element::dimension;
 
-/// Whether coarser elements may stand for an element: the parents for a linear one, or those of CornerElement.
+/// Whether coarser elements may stand for an element: the coarse cells for a linear one, or those of CornerElement.
 template <class Element>
 constexpr bool has_coarser_element =
     is_linear_element<Element> || !std::is_void_v<typename CornerElement<Element>::type>;

@@ -33,6 +33,12 @@ decltype(auto) with_plane_element(CellType type, const Function& function) {
   return with_element_of<2>(type, function);
 }
 
+/// Calls function(TypeTag<Element>) for the element of that type in space.
+template <class Function>
+decltype(auto) with_solid_element(CellType type, const Function& function) {
+  return with_element_of<3>(type, function);
+}
+
 /// Calls function(TypeTag<Element>) for the element of that cell type.
 template <class Function>
 decltype(auto) with_element(CellType type, const Function& function) {

@@ -40,15 +40,15 @@ std::array<Vec<3>, 2> vectors_across(const Vec<3>& n, const Vec<3>& tangent) {
 
 template <std::size_t D>
 PairGap<D>::PairGap(const typename SurfacePatch<D>::Weights& weights, std::size_t count, const SurfacePatch<D>& patch,
-                    const SurfaceFoot<D>& foot)
-    : nodes_(count + patch.count), normal_(foot.normal), gap_(foot.gap) {
-  const auto shape = patch.shape(foot.xi);
+                    const SurfaceProjection<D>& projection)
+    : nodes_(count + patch.count), normal_(projection.normal), gap_(projection.gap) {
+  const auto shape = patch.shape(projection.xi);
   for (std::size_t a = 0; a < count; ++a) s_[a] = weights[a];
   for (std::size_t a = 0; a < patch.count; ++a) s_[count + a] = -shape.value[a];
-  const auto& frame = foot.frame;
+  const auto& frame = projection.frame;
   std::array<std::size_t, parameters> number{};
   for (std::size_t k = 0; k < parameters; ++k) {
-    if (foot.fixed[k]) continue;
+    if (projection.fixed[k]) continue;
     for (std::size_t a = 0; a < patch.count; ++a) d_[free_][count + a] = shape.slopes[k][a];
     tangents_[free_] = frame.tangents[k];
     number[free_++] = k;

@@ -8,11 +8,11 @@
 namespace ixos {
 
 /// Derivatives of a signed least distance g (Laursen and Simo 1993; Wriggers 2006) in the places of the nodes of the
-/// point's patch, which come first, and of the foot's. With the weights S = (N of the point, -N of the foot) of their
-/// relative position and those of the foot's tangents, D_k = (0, dN/dxi_k), the gradient is S n. Over the parameters
-/// that are free, with the tangents x_k, M = x_k . x_l, b = x_kl . n, A = M - g b, p = A^-1 (S x_k + g D_k n) and
-/// c = D_k n + b p, the second derivatives are -(c p^T + p c^T) + p b p^T + g c M^-1 c^T. A foot at a kink or a rim
-/// moves along it only: each unit vector m across it and across n adds S S^T m m^T/g.
+/// point's patch, which come first, and of the closest point's. With the weights S = (N of the point, -N of the closest
+/// point) of their relative position and those of the closest point's tangents, D_k = (0, dN/dxi_k), the gradient is S
+/// n. Over the parameters that are free, with the tangents x_k, M = x_k . x_l, b = x_kl . n, A = M - g b, p = A^-1 (S
+/// x_k + g D_k n) and c = D_k n + b p, the second derivatives are -(c p^T + p c^T) + p b p^T + g c M^-1 c^T. A closest
+/// point at a kink or a rim moves along it only: each unit vector m across it and across n adds S S^T m m^T/g.
 template <std::size_t D>
 class PairGap {
  public:
@@ -20,9 +20,9 @@ class PairGap {
   /// By node and direction: D I + i.
   using Vector = std::array<double, D * most>;
 
-  /// `weights`: those of the point, of its patch's `count` nodes; `patch`: that of the foot.
+  /// `weights`: those of the point, of its patch's `count` nodes; `patch`: that of the closest point.
   PairGap(const typename SurfacePatch<D>::Weights& weights, std::size_t count, const SurfacePatch<D>& patch,
-          const SurfaceFoot<D>& foot);
+          const SurfaceProjection<D>& projection);
 
   /// By derivative, the weights themselves and the slopes D_k, and direction, twice: K_aibj = sum of w^k_a M_kilj
   /// w^l_b.

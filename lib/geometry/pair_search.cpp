@@ -28,7 +28,7 @@ std::pair<Vec<D>, double> ball_around(const PlacedPatch<D>& patch) {
   return {center, radius};
 }
 
-/// The primary patches that points of a secondary one can have feet on, and whether these points can be deep.
+/// The primary patches that points of a secondary one can have closest points on, and whether these points can be deep.
 struct Near {
   std::vector<int> patches;
   bool deep = false;
@@ -57,8 +57,8 @@ std::shared_ptr<const PairNeighbours> neighbours_of(const PairSurfaces<D>& surfa
   return result;
 }
 
-/// Returns all secondary patches with the primary ones that can hold the feet of their points, and those that are
-/// farther by no more than the slack [L0].
+/// Returns all secondary patches with the primary ones that can hold the closest points of their points, and those that
+/// are farther by no more than the slack [L0].
 template <std::size_t D>
 std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
                                                    double slack) {
@@ -68,23 +68,23 @@ std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfac
   });
 }
 
-/// Returns the primary patches on which points of the secondary patch can have feet that overlap by more than
+/// Returns the primary patches on which points of the secondary patch can have closest points that overlap by more than
 /// `overlap.least`, while gaps change by no more than `motion`; none if there are surely no such points. Below a free
-/// rim the sign of a gap jumps: before an open surface, a foot at a kink or a rim is no proof of a gap.
+/// rim the sign of a gap jumps: before an open surface, a closest point at a kink or a rim is no proof of a gap.
 template <std::size_t D>
-std::vector<int> feet_of_overlaps(const PlacedSurface<D>& primary, const PlacedPatch<D>& patch,
-                                  const PairOverlap<D>& overlap, double motion) {
+std::vector<int> projections_of_overlaps(const PlacedSurface<D>& primary, const PlacedPatch<D>& patch,
+                                         const PairOverlap<D>& overlap, double motion) {
   const bool closed = std::isinf(overlap.depth);
   const double open_from = motion - overlap.least;  // a greater gap stays above -overlap.least
   const auto [center, radius] = ball_around(patch);
-  const SurfaceFoot<D> middle = primary.nearest(center, overlap.depth + radius + motion);
+  const SurfaceProjection<D> middle = primary.nearest(center, overlap.depth + radius + motion);
   if (middle.patch < 0 || (closed && middle.gap > radius + open_from)) return {};
   const auto may_be_deep = [&](const PatchParameters<D>& xi) {
-    const SurfaceFoot<D> foot = primary.nearest(patch.at(xi), overlap.depth + motion, {middle.patch, {}});
-    if (foot.patch < 0) return false;
+    const SurfaceProjection<D> projection = primary.nearest(patch.at(xi), overlap.depth + motion, {middle.patch, {}});
+    if (projection.patch < 0) return false;
     const bool may_jump =
-        !closed && std::any_of(foot.fixed.begin(), foot.fixed.end(), [](bool fixed) { return fixed; });
-    return foot.gap <= open_from || may_jump;
+        !closed && std::any_of(projection.fixed.begin(), projection.fixed.end(), [](bool fixed) { return fixed; });
+    return projection.gap <= open_from || may_jump;
   };
   if (std::none_of(overlap.points.begin(), overlap.points.end(), may_be_deep)) return {};
   return primary.reduced(center, radius, HUGE_VAL, 2 * motion + overlap.lead);
@@ -143,7 +143,7 @@ std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& sur
   return neighbours_of(surfaces, places, [&](const PlacedSurface<D>& primary, const PlacedPatch<D>& patch) {
     Near near{primary.near(patch.hull(), range)};
     if (overlap.depth == 0) return near;
-    const std::vector<int> below = feet_of_overlaps(primary, patch, overlap, motion);
+    const std::vector<int> below = projections_of_overlaps(primary, patch, overlap, motion);
     if (below.empty()) return near;
     Near all{{}, true};
     std::set_union(near.patches.begin(), near.patches.end(), below.begin(), below.end(),
@@ -198,7 +198,7 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<con
   };
   if (overlap_.depth > 0 && range < overlap_.least) {
     overlap_.least = range;
-    last_ = nullptr;  // it can lack feet of overlaps that are deeper than this range
+    last_ = nullptr;  // it can lack closest points of overlaps that are deeper than this range
   }
   if (last_) {
     const double motion = farthest(places_);

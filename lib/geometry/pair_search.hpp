@@ -35,14 +35,14 @@ std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int o
 template <std::size_t D>
 struct PairOverlap {
   double depth = 0;  ///< of the deepest overlap that counts, see PairOptions; 0: none beyond the range [L0]
-  /// Lists of patches within a range can lack the feet of overlaps that are deeper than this [L0].
+  /// Lists of patches within a range can lack the closest points of overlaps that are deeper than this [L0].
   double least = std::numeric_limits<double>::infinity();
-  double lead = 0;                              ///< the greatest lead of feet, see SurfaceFoot [L0]
+  double lead = 0;                              ///< the greatest lead of closest points, see SurfaceProjection [L0]
   std::vector<PatchParameters<D>> points = {};  ///< of each secondary patch: forces act there
 };
 
-/// Secondary patches, and the primary ones that their points can have feet on. If places are no numbers, these are all
-/// secondary patches, without primary ones and without `together`.
+/// Secondary patches, and the primary ones that their points can have closest points on. If places are no numbers,
+/// these are all secondary patches, without primary ones and without `together`.
 struct PairNeighbours {
   std::vector<std::size_t> secondary;           ///< ascending
   std::vector<std::vector<int>> primary;        ///< by entry of `secondary`, ascending
@@ -53,8 +53,8 @@ struct PairNeighbours {
 };
 
 /// Returns the secondary patches whose bounding boxes are nearer than `range` to those of primary patches, with these.
-/// It adds those whose points can overlap more deeply, with the primary ones that can have their feet, while gaps
-/// change by no more than `motion` [L0].
+/// It adds those whose points can overlap more deeply, with the primary ones that can have their closest points, while
+/// gaps change by no more than `motion` [L0].
 template <std::size_t D>
 std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
                                                       double range, const PairOverlap<D>& overlap = {},
@@ -62,14 +62,15 @@ std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& sur
 
 /// Finds neighbours and keeps them as long as they hold. Those within a range were searched within the range and a skin
 /// beyond it, its reach. They hold as long as the range and the change of gaps stay within that reach. Without a range
-/// they are the patches that can have feet, and those that are farther by twice the skin and the greatest lead. They
-/// hold for places from which no gap can have changed by more than the skin. Feet do not depend on which patches are
-/// kept, as long as these contain all that can have one. Lists within a range contain the feet of overlaps, too.
+/// they are the patches that can have closest points, and those that are farther by twice the skin and the greatest
+/// lead. They hold for places from which no gap can have changed by more than the skin. Closest points do not depend on
+/// which patches are kept, as long as these contain all that can have one. Lists within a range contain the closest
+/// points of overlaps, too.
 template <std::size_t D>
 class PairSearch {
  public:
-  /// `lead`: the greatest lead of feet, see SurfaceFoot [L0]. The surfaces must outlive it. `overlap`: its `least` and
-  /// its lead are not used.
+  /// `lead`: the greatest lead of closest points, see SurfaceProjection [L0]. The surfaces must outlive it. `overlap`:
+  /// its `least` and its lead are not used.
   PairSearch(const PairSurfaces<D>& surfaces, double lead, PairOverlap<D> overlap = {});
 
   /// Returns neighbours within the range at all of these places and on straight ways between them. If a place is no

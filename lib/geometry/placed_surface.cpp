@@ -101,41 +101,42 @@ void PlacedSurface<D>::look(int patch, const std::array<bool, SurfacePatch<D>::s
                             Best& best, const std::optional<PatchParameters<D>>& start) const {
   const PatchBound<D>& bound = bounds_[slot(patch)];
   const auto is_farther = [&](double distance) {
-    if (distance > best.foot.distance) best.others = std::min(best.others, distance);
-    return distance > best.foot.distance;
+    if (distance > best.projection.distance) best.others = std::min(best.others, distance);
+    return distance > best.projection.distance;
   };
   if (is_farther(bound.distance(place))) return;
   const PlacedPatch<D>& own_patch = this->patch(patch);
   const PatchParameters<D> from = start ? *start : bound.start(place);
   if (!start && is_farther(bound.distance(place, own_patch.at(from)))) return;
-  const PatchFoot<D> own = nearest_point(own_patch, smooth, place, from);
-  const bool equal = own.distance == best.foot.distance && best.patch > patch;
-  if (!(own.distance < best.foot.distance) && !equal) {
+  const PatchProjection<D> own = nearest_point(own_patch, smooth, place, from);
+  const bool equal = own.distance == best.projection.distance && best.patch > patch;
+  if (!(own.distance < best.projection.distance) && !equal) {
     best.others = std::min(best.others, own.distance);
     return;
   }
-  if (best.patch >= 0) best.others = std::min(best.others, best.foot.distance);
-  best.foot = own;
+  if (best.patch >= 0) best.others = std::min(best.others, best.projection.distance);
+  best.projection = own;
   best.patch = patch;
 }
 
 template <std::size_t D>
-SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, const FootGuess<D>& guess) const {
+SurfaceProjection<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range,
+                                               const ProjectionGuess<D>& guess) const {
   namespace index = bg::index;
   Best best(range);
   const auto look_at = [&](int i) { look(i, patches_[at(i)].smooth, place, best); };
   if (guess.patch >= 0) look(guess.patch, patches_[at(guess.patch)].smooth, place, best, guess.xi);
-  if (std::isfinite(best.foot.distance)) {
+  if (std::isfinite(best.projection.distance)) {
     const auto visit = [&](const typename Tree::Entry& entry) {
       if (entry.second != guess.patch) look_at(entry.second);
     };
-    tree_->index.query(index::intersects(grown(place, place, best.foot.distance)),
+    tree_->index.query(index::intersects(grown(place, place, best.projection.distance)),
                        boost::make_function_output_iterator(visit));
   } else {
     // The query yields patches in the order of the distances of their boxes.
     const auto count = static_cast<unsigned>(patches_.size());
     for (auto entry = tree_->index.qbegin(index::nearest(point(place), count)); entry != tree_->index.qend(); ++entry) {
-      if (bg::distance(point(place), entry->first) > best.foot.distance) break;
+      if (bg::distance(point(place), entry->first) > best.projection.distance) break;
       if (entry->second != guess.patch) look_at(entry->second);
     }
   }
@@ -144,8 +145,8 @@ SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, cons
 }
 
 template <std::size_t D>
-SurfaceFoot<D> PlacedSurface<D>::nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
-                                               const FootGuess<D>& guess, double slack) const {
+SurfaceProjection<D> PlacedSurface<D>::nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
+                                                     const ProjectionGuess<D>& guess, double slack) const {
   Best best(range);
   const bool helps = std::binary_search(patches.begin(), patches.end(), guess.patch);
   if (helps) look(guess.patch, patches_[at(guess.patch)].smooth, place, best, guess.xi);
@@ -156,7 +157,8 @@ SurfaceFoot<D> PlacedSurface<D>::nearest_among(const std::vector<int>& patches, 
 }
 
 template <std::size_t D>
-SurfaceFoot<D> PlacedSurface<D>::nearest_on(const FootGuess<D>& guess, const Vec<D>& place, double range) const {
+SurfaceProjection<D> PlacedSurface<D>::nearest_on(const ProjectionGuess<D>& guess, const Vec<D>& place,
+                                                  double range) const {
   Best best(range);
   look(guess.patch, patches_[at(guess.patch)].smooth, place, best, guess.xi);
   return complete(
@@ -176,7 +178,7 @@ void PlacedSurface<D>::reduce(const std::vector<int>& patches, const Vec<D>& cen
     const int nearest = patches[static_cast<std::size_t>(first - bounds.begin())];
     look(nearest, patches_[at(nearest)].smooth, center, best);
   }
-  const double farthest = std::min(range, best.foot.distance + radius) + radius + slack;
+  const double farthest = std::min(range, best.projection.distance + radius) + radius + slack;
   result.clear();
   for (std::size_t k = 0; k < patches.size(); ++k)
     if (bounds[k] <= farthest) result.push_back(patches[k]);
@@ -184,14 +186,15 @@ void PlacedSurface<D>::reduce(const std::vector<int>& patches, const Vec<D>& cen
 
 template <std::size_t D>
 std::vector<int> PlacedSurface<D>::reduced(const Vec<D>& center, double radius, double range, double slack) const {
-  const SurfaceFoot<D> foot = nearest(center, range + radius);
-  const double distance = foot.patch < 0 ? range + radius : length(center - foot.frame.place);
+  const SurfaceProjection<D> projection = nearest(center, range + radius);
+  const double distance = projection.patch < 0 ? range + radius : length(center - projection.frame.place);
   const double farthest = std::min(range, distance + radius) + radius + slack;
   return near(std::array<Vec<D>, 1>{center}, farthest);
 }
 
 template <std::size_t D>
-SurfaceFoot<D> PlacedSurface<D>::nearest_of(const std::vector<int>& patches, const Vec<D>& place, double range) const {
+SurfaceProjection<D> PlacedSurface<D>::nearest_of(const std::vector<int>& patches, const Vec<D>& place,
+                                                  double range) const {
   const auto counts = [&](int other) { return std::binary_search(patches.begin(), patches.end(), other); };
   Best best(range);
   for (const int i : patches) {
@@ -204,30 +207,31 @@ SurfaceFoot<D> PlacedSurface<D>::nearest_of(const std::vector<int>& patches, con
   return complete(place, best, counts, 0);
 }
 
-/// Returns the foot. `counts`: whether a patch counts; beyond a side without such a neighbour is a free rim.
+/// Returns the closest point. `counts`: whether a patch counts; beyond a side without such a neighbour is a free rim.
 template <std::size_t D>
 template <class Counts>
-SurfaceFoot<D> PlacedSurface<D>::complete(const Vec<D>& place, const Best& best, const Counts& counts,
-                                          double slack) const {
-  SurfaceFoot<D> foot;
-  foot.patch = best.patch;
-  foot.lead = best.lead(slack);
-  if (foot.patch < 0) return foot;
-  foot.xi = best.foot.xi;
-  foot.fixed = best.foot.fixed;
-  foot.frame = best.foot.frame;
-  const Vec<D> r = place - foot.frame.place;
-  foot.normal = PlacedPatch<D>::normal(foot.frame);
-  foot.gap = inner(r, foot.normal);
-  if (best.foot.distance == 0 || std::none_of(foot.fixed.begin(), foot.fixed.end(), [](bool fixed) { return fixed; }))
-    return foot;
+SurfaceProjection<D> PlacedSurface<D>::complete(const Vec<D>& place, const Best& best, const Counts& counts,
+                                                double slack) const {
+  SurfaceProjection<D> projection;
+  projection.patch = best.patch;
+  projection.lead = best.lead(slack);
+  if (projection.patch < 0) return projection;
+  projection.xi = best.projection.xi;
+  projection.fixed = best.projection.fixed;
+  projection.frame = best.projection.frame;
+  const Vec<D> r = place - projection.frame.place;
+  projection.normal = PlacedPatch<D>::normal(projection.frame);
+  projection.gap = inner(r, projection.normal);
+  if (best.projection.distance == 0 ||
+      std::none_of(projection.fixed.begin(), projection.fixed.end(), [](bool fixed) { return fixed; }))
+    return projection;
   bool rim = false;
   for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side)
-    if (foot.fixed[side / 2] && foot.xi[side / 2] == (side % 2 == 0 ? 0 : 1))
-      rim = rim || !counts(patches_[at(foot.patch)].neighbours[side]);
-  foot.gap = (rim || is_outside(r, foot) ? 1 : -1) * best.foot.distance;
-  foot.normal = (1 / foot.gap) * r;
-  return foot;
+    if (projection.fixed[side / 2] && projection.xi[side / 2] == (side % 2 == 0 ? 0 : 1))
+      rim = rim || !counts(patches_[at(projection.patch)].neighbours[side]);
+  projection.gap = (rim || is_outside(r, projection) ? 1 : -1) * best.projection.distance;
+  projection.normal = (1 / projection.gap) * r;
+  return projection;
 }
 
 template <std::size_t D>
@@ -252,10 +256,10 @@ double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, cons
       relative = std::max(relative, length(w));
     }
     if (bound(i, place) - least >= share * relative) continue;
-    const PatchFoot<D> foot = nearest_point(patch(i), own.smooth, place, bounds_[slot(i)].start(place));
-    if (!(foot.distance > 0)) return 0;
-    const double in_any_direction = std::max(0.0, (foot.distance - least) / relative);
-    const Vec<D> n = (1 / foot.distance) * (place - patch(i).at(foot.xi));
+    const PatchProjection<D> projection = nearest_point(patch(i), own.smooth, place, bounds_[slot(i)].start(place));
+    if (!(projection.distance > 0)) return 0;
+    const double in_any_direction = std::max(0.0, (projection.distance - least) / relative);
+    const Vec<D> n = (1 / projection.distance) * (place - patch(i).at(projection.xi));
     const auto hull = patch(i).hull();
     double along_normal = 1;
     for (std::size_t k = 0; k < hull.size(); ++k) {

@@ -7,27 +7,28 @@
 #include <vector>
 
 #include "geometry/patch_bound.hpp"
-#include "geometry/patch_foot.hpp"
+#include "geometry/patch_projection.hpp"
 #include "geometry/surface_patch.hpp"
 
 namespace ixos {
 
 /// The point of a surface that is nearest to a place.
 template <std::size_t D>
-struct SurfaceFoot {
+struct SurfaceProjection {
   int patch = -1;  ///< -1: the surface is out of range
   PatchParameters<D> xi{};
-  std::array<bool, D - 1> fixed{};                       ///< see PatchFoot
+  std::array<bool, D - 1> fixed{};                       ///< see PatchProjection
   double gap = std::numeric_limits<double>::infinity();  ///< signed least distance, negative in the body [L0]
   Vec<D> normal{};                                       ///< unit vector, the gap's gradient in the place
-  typename PlacedPatch<D>::Frame frame{};                ///< of the patch at the foot
-  /// How much farther all other patches are at least; without a foot, by how much all patches are out of range [L0].
+  typename PlacedPatch<D>::Frame frame{};                ///< of the patch at the closest point
+  /// How much farther all other patches are at least; without a closest point, by how much all patches are out of range
+  /// [L0].
   double lead = 0;
 };
 
 /// Where the nearest point is likely to be. It changes the time of a search, and the result by rounding errors at most.
 template <std::size_t D>
-struct FootGuess {
+struct ProjectionGuess {
   int patch = -1;  ///< -1: unknown
   std::optional<PatchParameters<D>> xi{};
 };
@@ -60,18 +61,18 @@ class PlacedSurface {
   void move(const std::vector<Vec<D>>& x, std::shared_ptr<const PatchSubset> subset);
 
   const PlacedPatch<D>& patch(int number) const { return placed_[slot(number)]; }
-  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. The foot has no lead. The gap
-  /// is positive on the outer side. At a kink, the sum of the normals of the patches that meet there, weighted by their
-  /// angles, tells the outer side (Baerentzen and Aanaes 2005); beyond a free rim the gap is positive. It searches in
-  /// the tree.
-  SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
-                         const FootGuess<D>& guess = {}) const;
+  /// Returns the nearest point if it is nearer than `range`; else a closest point without a patch. The closest point
+  /// has no lead. The gap is positive on the outer side. At a kink, the sum of the normals of the patches that meet
+  /// there, weighted by their angles, tells the outer side (Baerentzen and Aanaes 2005); beyond a free rim the gap is
+  /// positive. It searches in the tree.
+  SurfaceProjection<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
+                               const ProjectionGuess<D>& guess = {}) const;
   /// Does the same among these patches, ascending, which must contain all that are nearer than `range`, or than the
-  /// nearest one and the slack. `slack`: the greatest lead that the foot can have; more of it costs time.
-  SurfaceFoot<D> nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
-                               const FootGuess<D>& guess = {}, double slack = 0) const;
+  /// nearest one and the slack. `slack`: the greatest lead that the closest point can have; more of it costs time.
+  SurfaceProjection<D> nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
+                                     const ProjectionGuess<D>& guess = {}, double slack = 0) const;
   /// Returns the nearest point of the patch that is known to be the nearest one. `guess`: names the patch.
-  SurfaceFoot<D> nearest_on(const FootGuess<D>& guess, const Vec<D>& place, double range) const;
+  SurfaceProjection<D> nearest_on(const ProjectionGuess<D>& guess, const Vec<D>& place, double range) const;
   /// Sets `result` to those of these patches that can hold the point nearest to a place in a ball, if it is nearer than
   /// `range`, and to those that are farther by no more than the slack.
   void reduce(const std::vector<int>& patches, const Vec<D>& center, double radius, double range, double slack,
@@ -80,7 +81,7 @@ class PlacedSurface {
   std::vector<int> reduced(const Vec<D>& center, double radius, double range, double slack) const;
   /// Returns the nearest point of these patches, ascending, if it is nearer than `range`. A side beyond which no such
   /// patch lies counts as a free rim.
-  SurfaceFoot<D> nearest_of(const std::vector<int>& patches, const Vec<D>& place, double range) const;
+  SurfaceProjection<D> nearest_of(const std::vector<int>& patches, const Vec<D>& place, double range) const;
   /// Returns the patches whose bounding boxes are nearer than `range` to the bounding box of these points, ascending.
   /// It searches in the tree.
   template <class Points>
@@ -90,7 +91,7 @@ class PlacedSurface {
   /// Returns how far the nodes and the place may move along their ways, as a factor s in [0, 1], while the distance
   /// surely stays at least `least`. The later of two bounds counts for each patch: the motion of the
   /// place relative to the patch's hull is as long as the distance exceeds `least`; or the hull, seen along the normal
-  /// at the foot, comes nearer to the place than `least`. `ways`: by node, as x. `patches`: those that count.
+  /// at the closest point, comes nearer to the place than `least`. `ways`: by node, as x. `patches`: those that count.
   double free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways, double least,
                     const std::vector<int>& patches) const;
 
@@ -111,10 +112,10 @@ class PlacedSurface {
   /// A patch with its distance, which is less than `range`, or none; and a bound on the distance of all others.
   struct Best {
     int patch = -1;
-    PatchFoot<D> foot;
+    PatchProjection<D> projection;
     double others = std::numeric_limits<double>::infinity();
-    explicit Best(double range) { foot.distance = range; }
-    double lead(double slack) const { return std::max(0.0, std::min(others - foot.distance, slack)); }
+    explicit Best(double range) { projection.distance = range; }
+    double lead(double slack) const { return std::max(0.0, std::min(others - projection.distance, slack)); }
   };
   void place(const std::vector<Vec<D>>& x, const std::vector<int>& patches);
   std::size_t slot(int patch) const { return static_cast<std::size_t>(subset_ ? subset_->slots[at(patch)] : patch); }
@@ -124,8 +125,8 @@ class PlacedSurface {
             const std::optional<PatchParameters<D>>& start = std::nullopt) const;
   std::vector<int> near(const Box& box, double range) const;
   template <class Counts>
-  SurfaceFoot<D> complete(const Vec<D>& place, const Best& best, const Counts& counts, double slack) const;
-  bool is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>& foot) const;
+  SurfaceProjection<D> complete(const Vec<D>& place, const Best& best, const Counts& counts, double slack) const;
+  bool is_outside(const Vec<D>& from_projection, const SurfaceProjection<D>& projection) const;
 
   const std::vector<SurfacePatch<D>>& patches_;
   std::shared_ptr<const PatchSubset> subset_;  ///< null: all patches

@@ -33,15 +33,16 @@ double angle_at(const PlacedPatch<D>& patch, const PatchParameters<D>& xi) {
 
 }  // namespace
 
-/// Goes from the foot's patch to the patches that meet it at the foot, across the sides on which the foot is.
+/// Goes from the closest point's patch to the patches that meet it at the closest point, across the sides on which the
+/// closest point is.
 template <std::size_t D>
-bool PlacedSurface<D>::is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>& foot) const {
-  const Vec<D>& place = foot.frame.place;
+bool PlacedSurface<D>::is_outside(const Vec<D>& from_projection, const SurfaceProjection<D>& projection) const {
+  const Vec<D>& place = projection.frame.place;
   struct Here {
     int patch;
     PatchParameters<D> xi;
   };
-  boost::container::small_vector<Here, 8> all{{foot.patch, foot.xi}};
+  boost::container::small_vector<Here, 8> all{{projection.patch, projection.xi}};
   Vec<D> normals{};
   for (std::size_t next = 0; next < all.size(); ++next) {
     const Here here = all[next];
@@ -68,10 +69,10 @@ bool PlacedSurface<D>::is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>&
       all.push_back(there);
     }
   }
-  return inner(from_foot, normals) >= 0;
+  return inner(from_projection, normals) >= 0;
 }
 
-template bool PlacedSurface<2>::is_outside(const Vec<2>&, const SurfaceFoot<2>&) const;
-template bool PlacedSurface<3>::is_outside(const Vec<3>&, const SurfaceFoot<3>&) const;
+template bool PlacedSurface<2>::is_outside(const Vec<2>&, const SurfaceProjection<2>&) const;
+template bool PlacedSurface<3>::is_outside(const Vec<3>&, const SurfaceProjection<3>&) const;
 
 }  // namespace ixos

@@ -2,9 +2,9 @@
 #pragma once
 #include <memory>
 
-#include "interaction/gap_law.hpp"
-
 namespace ixos {
+
+class GapLaw;
 
 /// The ratio a(g) of two areas of surfaces parallel to an obstacle: half way to the body, and at the body, at gap g.
 /// With it, psi refers to the area half way. For a sphere of radius R it is (1 + g/2R)^2/(1 + g/R)^2. It reduces the

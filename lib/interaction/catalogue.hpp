@@ -4,12 +4,13 @@
 #include <memory>
 #include <string>
 
-#include "interaction/gap_law.hpp"
-#include "interaction/obstacle.hpp"
 #include "parameters/catalogue.hpp"
 #include "parameters/range_validator.hpp"
 
 namespace ixos {
+
+class GapLaw;
+class Obstacle;
 
 /// An entry makes a law, or an obstacle in a space of `dimension` dimensions, from its parameters.
 using LawEntry = CatalogueEntry<std::shared_ptr<const GapLaw>>;

@@ -146,12 +146,12 @@ typename ElasticSlip<T, D>::Path ElasticSlip<T, D>::path_of(const Vector& q0, co
   for (std::size_t i = 0; i < D; ++i) path.along[i] = change[i] / length;
   path.start = inner(q0, path.along);
   path.end = path.start + length;
-  Vector foot;
-  for (std::size_t i = 0; i < D; ++i) foot[i] = q0[i] - path.start * path.along[i];
-  const T again = inner(foot, path.along);  // the first projection leaves its rounding error
-  for (std::size_t i = 0; i < D; ++i) foot[i] -= again * path.along[i];
-  path.offset = sqrt(inner(foot, foot));
-  for (std::size_t i = 0; i < D; ++i) path.aside[i] = foot[i] / select(path.offset > tiny, path.offset, T(1.0));
+  Vector projection;
+  for (std::size_t i = 0; i < D; ++i) projection[i] = q0[i] - path.start * path.along[i];
+  const T again = inner(projection, path.along);  // the first projection leaves its rounding error
+  for (std::size_t i = 0; i < D; ++i) projection[i] -= again * path.along[i];
+  path.offset = sqrt(inner(projection, projection));
+  for (std::size_t i = 0; i < D; ++i) path.aside[i] = projection[i] / select(path.offset > tiny, path.offset, T(1.0));
   const T square = radius_ * radius_ - path.offset * path.offset;
   const T half = sqrt(select(square > 0.0, square, T(0.0)));
   const auto within = [&](const T& p) { return select(p < path.start, path.start, select(p > path.end, path.end, p)); };

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "interaction/foot_search.hpp"
+#include "interaction/closest_point_search.hpp"
 #include "interaction/frame.hpp"
 #include "interaction/obstacle.hpp"
 #include "parameters/options.hpp"
@@ -28,14 +28,14 @@ void add_gap_measure(Options<Parameters>& options) {
                  "and slopes below 0.1.");
 }
 
-/// The wall z <= h(a) in the coordinates of a frame. With the foot of a point, w = sqrt(1 + p.p) and n = (-p, 1)/w, the
-/// distance is g = (x - foot) . n, and its second derivatives are -tau S tau^T/w with tau = [I; p^T] and
-/// S = (I + p p^T)^-1 B J^-1. The vertical gap z - h has the gradient (-p, 1), which is no unit vector, and the second
-/// derivatives -B.
+/// The wall z <= h(a) in the coordinates of a frame. At the projection of a point, w = sqrt(1 + p.p) and n = (-p,
+/// 1)/w, the distance is g = (x - closest point) . n, and its second derivatives are -tau S tau^T/w with tau = [I; p^T]
+/// and S = (I + p p^T)^-1 B J^-1. The vertical gap z - h has the gradient (-p, 1), which is no unit vector, and the
+/// second derivatives -B.
 ///
-/// `Surface` is that of find_foot(), and has highest() >= h, steepest() >= |p|, deepest(), the largest eigenvalue of B,
-/// and to_edge(place): the distance from the edge along the wall, infinity without an edge. Places beyond the edge have
-/// the gap minus infinity.
+/// `Surface` is that of find_closest_point(), and has highest() >= h, steepest() >= |p|, deepest(), the largest
+/// eigenvalue of B, and to_edge(place): the distance from the edge along the wall, infinity without an edge. Places
+/// beyond the edge have the gap minus infinity.
 template <class Surface>
 class GraphObstacle final : public Obstacle {
   static constexpr std::size_t M = Surface::variables;
@@ -120,7 +120,7 @@ class GraphObstacle final : public Obstacle {
   Pack height_above(const PackPoint& local) const { return local[2] - surface_.at(along(local)).value; }
 
   /// Returns the gap over slowest(), or less. Above the graph, the distance is at least the height over the largest w,
-  /// and at least the reach where the foot is beyond it. Below, it is at most that of any foot.
+  /// and at least the reach where the closest point is beyond it. Below, it is at most that of any closest point.
   Pack lower_gap(const PackPoint& local) const {
     const Pack height = height_above(local);
     if (measure_ == GapMeasure::Vertical) return height / stretch_;
@@ -157,19 +157,19 @@ class GraphObstacle final : public Obstacle {
 
   /// The nearest point of the graph.
   struct Nearest {
-    Foot<M> foot;
-    Pack lift, inverse_w, gap;  ///< height over the foot, 1/w, distance
+    ClosestPoint<M> projection;
+    Pack lift, inverse_w, gap;  ///< height over the closest point, 1/w, distance
   };
 
   Nearest nearest(const PackPoint& local) const {
     const GraphPoint<M> x = along(local);
-    Nearest result{find_foot(surface_, x, local[2]), {}, {}, {}};
-    const Foot<M>& foot = result.foot;
-    result.lift = local[2] - foot.height.value;
+    Nearest result{find_closest_point(surface_, x, local[2]), {}, {}, {}};
+    const ClosestPoint<M>& projection = result.projection;
+    result.lift = local[2] - projection.height.value;
     Pack square = 1.0, gap = result.lift;
     for (std::size_t i = 0; i < M; ++i) {
-      square += foot.height.slope[i] * foot.height.slope[i];
-      gap -= (x[i] - foot.place[i]) * foot.height.slope[i];
+      square += projection.height.slope[i] * projection.height.slope[i];
+      gap -= (x[i] - projection.place[i]) * projection.height.slope[i];
     }
     result.inverse_w = 1.0 / std::experimental::sqrt(square);
     result.gap = gap * result.inverse_w;
@@ -179,7 +179,7 @@ class GraphObstacle final : public Obstacle {
   /// S is adj(G) B adj(J)/(w^2 det J), because det G = w^2.
   template <bool bends>
   Sight from(const Nearest& nearest) const {
-    const std::array<Pack, M>& p = nearest.foot.height.slope;
+    const std::array<Pack, M>& p = nearest.projection.height.slope;
     const Pack& w = nearest.inverse_w;
     PackPoint normal = upward(p);
     for (Pack& component : normal) component *= w;
@@ -188,10 +188,10 @@ class GraphObstacle final : public Obstacle {
     sight.normal = frame_.to_space(normal);
     if (!bends) return sight;
 
-    const GraphMetric<M> metric(nearest.foot.height, nearest.lift);
+    const GraphMetric<M> metric(nearest.projection.height, nearest.lift);
     const Small<Pack, M> jacobian = metric.positive_jacobian();
     const Pack factor = -w * w * w / determinant(jacobian);
-    Small<Pack, M> s = product(adjugate(metric.g), product(nearest.foot.height.bend, adjugate(jacobian)));
+    Small<Pack, M> s = product(adjugate(metric.g), product(nearest.projection.height.bend, adjugate(jacobian)));
     for (auto& row : s)
       for (Pack& value : row) value *= factor;
     set_bend(

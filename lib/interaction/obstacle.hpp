@@ -98,7 +98,4 @@ class Obstacle {
   virtual bool is_coaxial() const { return false; }
 };
 
-/// Returns the half-space as an obstacle.
-std::shared_ptr<const Obstacle> flat_wall(const HalfSpace& wall);
-
 }  // namespace ixos

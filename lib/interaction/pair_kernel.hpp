@@ -3,18 +3,9 @@
 #include <cmath>
 #include <vector>
 
-#include "interaction/gap_law.hpp"
+#include "interaction/gap_power.hpp"
 
 namespace ixos {
-
-/// A part of a law's traction T(r): factor r^-exponent [E0], r in L0, a whole number of at least 2.
-struct GapPower {
-  double factor, exponent;
-};
-
-/// Returns the powers of which the traction of the law is the sum: those of Van der Waals. Nothing for other laws,
-/// whose bodies do not consist of molecules that attract each other in pairs, and for laws with a cutoff.
-std::vector<GapPower> powers_of(const GapLaw& law);
 
 /// The volumes of two bodies attract each other by a pair potential -lap W(r). By Gauss's theorem their energy is then
 /// the integral of (n1 . n2) W(r) over both closed surfaces. Between two half-spaces it is psi(g) per area if W(r) =

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "interaction/foot_search.hpp"
+#include "interaction/closest_point_search.hpp"
 #include "interaction/spline_axis.hpp"
 
 namespace ixos {

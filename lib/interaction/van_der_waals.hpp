@@ -1,8 +1,10 @@
 /// Van der Waals interaction of a surface with a half-space.
 #pragma once
+#include <array>
 #include <cmath>
 
 #include "interaction/gap_domain.hpp"
+#include "interaction/gap_power.hpp"
 
 namespace ixos {
 
@@ -72,6 +74,8 @@ class VanDerWaals {
   bool repels() const { return true; }
   double c1() const { return c1_; }
   double c2() const { return c2_; }
+  /// Returns the powers of which the traction is the sum.
+  std::array<GapPower, 2> powers() const { return {{{c1_, 9}, {-c2_, 3}}}; }
   /// Returns the gap at which T = 0: 15^(-1/6) r0 [L0].
   double equilibrium_gap() const { return std::pow(15.0, -1.0 / 6) * r0_; }
   /// Returns the gap of largest attraction, dT/dr = 0: 5^(-1/6) r0 [L0].

@@ -3,10 +3,12 @@
 #include <memory>
 #include <string>
 
-#include "material/elastic_law.hpp"
+#include "material/lame.hpp"
 #include "parameters/catalogue.hpp"
 
 namespace ixos {
+
+class ElasticLaw;
 
 /// An entry makes an elastic law from its parameters.
 using ElasticEntry = CatalogueEntry<std::shared_ptr<const ElasticLaw>>;

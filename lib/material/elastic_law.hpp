@@ -9,6 +9,7 @@
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
 #include "material/lame.hpp"
+#include "material/point_law.hpp"
 #include "material/strain.hpp"
 
 namespace ixos {
@@ -19,6 +20,11 @@ namespace ixos {
 class ElasticLaw {
  public:
   virtual ~ElasticLaw() = default;
+
+  /// Return the law at many points, for kernels.
+  virtual const PointLaw<PlaneSpace>& points(PlaneSpace) const = 0;
+  virtual const PointLaw<SolidSpace>& points(SolidSpace) const = 0;
+  virtual const PointLaw<RingSpace>& points(RingSpace) const = 0;
 
   /// Returns the elastic constants at small strains.
   virtual Lame lame() const = 0;
@@ -48,18 +54,17 @@ class ElasticLaw {
                                         Small<Pack, 9>& moduli) const = 0;
 };
 
-/// Whether a struct of member templates defines its own admissibility(h), and says so by `has_limit`.
-template <class Law, class = void>
-struct HasLimit : std::false_type {};
-template <class Law>
-struct HasLimit<Law, std::void_t<decltype(Law::has_limit)>> : std::bool_constant<Law::has_limit> {};
-
 /// A struct of member templates as an ElasticLaw. It says `has_discrete_gradient`, and may say `has_limit`.
 template <class Law>
 class ElasticLawOf final : public ElasticLaw {
  public:
-  explicit ElasticLawOf(Law law) : law_(std::move(law)) {}
+  explicit ElasticLawOf(Law law)
+      : law_(std::move(law)), plane_(law_), solid_(law_), ring_(typename RingLaw<Law>::type(law_)) {}
   const Law& law() const { return law_; }
+
+  const PointLaw<PlaneSpace>& points(PlaneSpace) const override { return plane_; }
+  const PointLaw<SolidSpace>& points(SolidSpace) const override { return solid_; }
+  const PointLaw<RingSpace>& points(RingSpace) const override { return ring_; }
 
   Lame lame() const override { return law_.lame; }
   bool has_discrete_gradient() const override { return Law::has_discrete_gradient; }
@@ -117,6 +122,9 @@ class ElasticLawOf final : public ElasticLaw {
   }
 
   Law law_;
+  PointLawOf<Law, PlaneSpace> plane_;
+  PointLawOf<Law, SolidSpace> solid_;
+  PointLawOf<typename RingLaw<Law>::type, RingSpace> ring_;
 };
 
 template <class Law>
@@ -124,53 +132,22 @@ std::shared_ptr<const ElasticLaw> elastic_law(Law law) {
   return std::make_shared<ElasticLawOf<Law>>(std::move(law));
 }
 
-/// An ElasticLaw with the members of a law, for kernels.
-class AnyElasticLaw {
+/// An ElasticLaw in a space, for kernels.
+template <class Space>
+class AnyLaw {
  public:
-  static constexpr bool can_invert = true;
-  static constexpr bool has_spatial_tangent = false;
-  static constexpr bool keeps_state = false;
-  static constexpr bool has_limit = true;  ///< a law behind the interface may have one, see is_limited()
+  explicit AnyLaw(std::shared_ptr<const ElasticLaw> law)
+      : law_(std::move(law)), points_(&law_->points(Space{})), lame(law_->lame()) {}
 
-  explicit AnyElasticLaw(std::shared_ptr<const ElasticLaw> law)
-      : lame(law->lame()), law_(std::move(law)), limited_(law_->has_limit()) {}
-
-  Lame lame;
-
-  bool is_limited() const { return limited_; }
-  template <std::size_t D>
-  Pack admissibility(const Small<Pack, D>& h) const {
-    return limited_ ? law_->admissibility(h) : determinant(deformation_gradient(h));
-  }
-  template <std::size_t D>
-  Pack energy(const Small<Pack, D>& h) const {
-    return law_->energy(h);
-  }
-  template <std::size_t D>
-  Pack stress(const Small<Pack, D>& h, Small<Pack, D>& p) const {
-    return law_->stress(h, p);
-  }
-  template <std::size_t D>
-  Pack stress_and_moduli(const Small<Pack, D>& h, Small<Pack, D>& p, Small<Pack, D * D>& moduli) const {
-    return law_->stress_and_moduli(h, p, moduli);
-  }
-  template <std::size_t D>
-  void discrete_gradient(const Small<Pack, D>& h0, const Small<Pack, D>& h1, Small<Pack, D>& p) const {
-    law_->discrete_gradient(h0, h1, p);
-  }
-  template <std::size_t D>
-  void discrete_gradient_moduli(const Small<Pack, D>& h0, const Small<Pack, D>& h1, Small<Pack, D * D>& moduli) const {
-    law_->discrete_gradient_moduli(h0, h1, moduli);
-  }
-  Pack out_of_plane_stress(const Small<Pack, 2>& h) const { return law_->out_of_plane_stress(h); }
+  const ElasticLaw& law() const { return *law_; }
+  const PointLaw<Space>& points() const { return *points_; }
 
  private:
   std::shared_ptr<const ElasticLaw> law_;
-  bool limited_;
-};
+  const PointLaw<Space>* points_;
 
-/// Return the laws that are compiled into the element kernels.
-std::shared_ptr<const ElasticLaw> neo_hooke(const Lame& lame);
-std::shared_ptr<const ElasticLaw> linear_elastic(const Lame& lame);
+ public:
+  Lame lame;
+};
 
 }  // namespace ixos

@@ -1,7 +1,10 @@
-/// Elastic constants.
+/// Elastic constants, and the laws that have no others.
 #pragma once
+#include <memory>
 
 namespace ixos {
+
+class ElasticLaw;
 
 /// Lame's constants [E0].
 struct Lame {
@@ -20,5 +23,9 @@ constexpr Lame lame_constants(double young, double poissons_ratio) {
   return {young / (2 * (1 + poissons_ratio)),
           young * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio))};
 }
+
+/// Return the laws that have no other constants.
+std::shared_ptr<const ElasticLaw> neo_hooke(const Lame& lame);
+std::shared_ptr<const ElasticLaw> linear_elastic(const Lame& lame);
 
 }  // namespace ixos

@@ -26,14 +26,23 @@ void copy_meridian(const Small<T, 9>& moduli, Small<T, meridian_size>& result) {
                            [3 * meridian_components[c][0] + meridian_components[c][1]];
 }
 
+/// Copies moduli between all components to those that a space has.
+template <class T, std::size_t size>
+void copy_moduli(const Small<T, size>& moduli, Small<T, size>& result) {
+  result = moduli;
+}
+template <class T>
+void copy_moduli(const Small<T, 9>& moduli, Small<T, meridian_size>& result) {
+  copy_meridian(moduli, result);
+}
+
 /// A law in three dimensions whose moduli are also available between the meridian components alone. Displacement
 /// gradients are 3 x 3, with H_33 = u_r/R and without shear out of the meridian plane.
 template <class Law>
 struct RevolvedLaw : Law {
   static constexpr bool has_spatial_tangent = false;
   static constexpr bool keeps_state = false;
-  explicit RevolvedLaw(const Law& law) : Law(law) {}
-  using Law::discrete_gradient_moduli;
+  explicit RevolvedLaw(const Law& own) : Law(own) {}
   using Law::stress_and_moduli;
 
   /// See NeoHooke::stress_and_moduli().
@@ -166,6 +175,16 @@ struct RevolvedLaw<NeoHooke> : NeoHooke {
                   lame.mu * (s.inverse_plane[0][i] * s.a[0][j] + s.inverse_plane[1][i] * s.a[1][j]);
     p[2][2] = s.inverse_hoop * (pressure + lame.mu * s.hoop);
   }
+};
+
+/// The law in rings of any law.
+template <class Law>
+struct RingLaw {
+  using type = RevolvedLaw<Law>;
+};
+template <class Law>
+struct RingLaw<RevolvedLaw<Law>> {
+  using type = RevolvedLaw<Law>;
 };
 
 }  // namespace ixos

@@ -10,7 +10,7 @@
 
 namespace ixos {
 
-struct LocalHalving;
+struct LocalRefinement;
 
 struct LocalSide {
   int block;
@@ -60,7 +60,7 @@ struct LocalMesh {
   double level_width = 1e300;               ///< mean_level_width() of the whole mesh, if it was known
   long long global_nodes = 0;
   long long global_cells = 0;
-  std::shared_ptr<const LocalHalving> halving;  ///< null, or the parents of the cells for methods of several levels
+  std::shared_ptr<const LocalRefinement> refinement;  ///< null, or the coarse cells for methods of several levels
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
   /// Returns the dimension of the body: 3 if it is one of revolution.

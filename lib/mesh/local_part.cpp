@@ -6,10 +6,10 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/fingerprint.hpp"
 #include "mesh/generators/given.hpp"
-#include "mesh/halving.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/refinement.hpp"
 #include "mesh/soundness.hpp"
 
 namespace ixos {
@@ -66,10 +66,10 @@ void refuse_different(const Mesh& mesh, const std::vector<int>& owner, const Com
   });
 }
 
-LocalMesh part_with_parents(const Mesh& mesh, const std::vector<int>& owner, const Comm& comm,
-                            const std::vector<std::string>& whole) {
+LocalMesh part_with_coarse_cells(const Mesh& mesh, const std::vector<int>& owner, const Comm& comm,
+                                 const std::vector<std::string>& whole) {
   LocalMesh local = localize(mesh, owner, comm->getRank(), comm->getSize(), whole);
-  if (mesh.dimension == 3) add_parents(mesh, owner, comm->getRank(), comm->getSize(), local);
+  if (mesh.dimension == 3) add_coarse_cells(mesh, owner, comm->getRank(), comm->getSize(), local);
   return local;
 }
 
@@ -78,7 +78,7 @@ LocalMesh part_with_parents(const Mesh& mesh, const std::vector<int>& owner, con
 LocalMesh local_part(const Mesh& mesh, const Comm& comm, const std::vector<std::string>& whole) {
   refuse_different(mesh, {}, comm);
   together<InputError>(comm, [&] { check_whole(mesh); });
-  return part_with_parents(mesh, partition_nodes(mesh, comm->getSize()), comm, whole);
+  return part_with_coarse_cells(mesh, partition_nodes(mesh, comm->getSize()), comm, whole);
 }
 
 LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const Comm& comm,
@@ -88,7 +88,7 @@ LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const
     check_whole(mesh);
     check_owners(mesh, node_owner, comm->getSize());
   });
-  return part_with_parents(mesh, node_owner, comm, whole);
+  return part_with_coarse_cells(mesh, node_owner, comm, whole);
 }
 
 }  // namespace ixos

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "material/elastic_law.hpp"
 #include "model/traits.hpp"
 
 namespace ixos {

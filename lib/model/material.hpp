@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "material/elastic_law.hpp"
 #include "material/maxwell_branch.hpp"
 #include "model/refusal.hpp"
 #include "term/body/elastic_term.hpp"
 
 namespace ixos {
+
+class ElasticLaw;
 
 /// The material of one block.
 struct Material {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "material/elastic_law.hpp"
 #include "model/axis.hpp"
 #include "term/support/springs.hpp"
 

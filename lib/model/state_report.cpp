@@ -7,6 +7,7 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "material/elastic_law.hpp"
 #include "material/lame.hpp"
 #include "model/term_sums.hpp"
 #include "model/traits.hpp"

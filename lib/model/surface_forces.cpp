@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "geometry/patch_points.hpp"
+#include "interaction/gap_law.hpp"
 
 namespace ixos {
 namespace {

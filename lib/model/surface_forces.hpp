@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "interaction/friction_law.hpp"
-#include "interaction/gap_law.hpp"
+#include "interaction/friction.hpp"
 #include "model/refusal.hpp"
 
 namespace ixos {
+
+class GapLaw;
 
 /// The law over a surface.
 struct SurfaceForces {

@@ -4,11 +4,12 @@
 #include <optional>
 
 #include "histories/rigid_motion.hpp"
-#include "interaction/obstacle.hpp"
 #include "model/model.hpp"
 #include "model/surface_forces.hpp"
 
 namespace ixos {
+
+class Obstacle;
 
 /// The law before an obstacle.
 struct SurfaceInteraction : SurfaceForces {

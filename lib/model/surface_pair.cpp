@@ -24,7 +24,7 @@ namespace {
 
 std::optional<Refusal> refusal_of_double_integral(const SurfacePair& pair) {
   const std::string start = "is not supported with Passes \"Double Integral\"";
-  if (powers_of(*pair.law).empty()) return Refusal{"Law", "", start + "; use \"Van der Waals\", or other Passes"};
+  if (pair.law->powers().empty()) return Refusal{"Law", "", start + "; use \"Van der Waals\", or other Passes"};
   if (pair.cutoff > 0)
     return Refusal{"Cutoff", fmt::format("{}", pair.cutoff),
                    start + ", which acts at every distance; use 0, or other Passes"};
@@ -164,7 +164,7 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
       refuse(pair, fmt::format("is a double integral over surfaces of {} nodes; at most {} are allowed, because its "
                                "matrix is dense: use smaller side sets, or Passes One",
                                nodes, most_nodes_of_double_integral));
-    term = make_double_integral<D>(mesh, surfaces, model.pattern(), std::move(term), PairKernel<D>(powers_of(*law)),
+    term = make_double_integral<D>(mesh, surfaces, model.pattern(), std::move(term), PairKernel<D>(law->powers()),
                                    points_on_a_side(pair.points));
   } else if (pair.passes != Passes::One)
     term = two_passes(std::move(term), pass({surfaces.primary, surfaces.secondary}, pair.primary), options.reacts);

@@ -23,9 +23,9 @@ inline constexpr std::size_t most_nodes_of_double_integral = 3000;
 /// The gaps g of a secondary (slave) surface are its signed least distances to a primary (master) one. The law is
 /// integrated over the secondary surface in the undeformed body, the sum of w psi(g), and the primary one takes the
 /// reaction. Choose the finer surface as the secondary one. Both may be one surface, which then interacts with itself:
-/// each place with those of the other places that face it (see SelfSight), the law with half its energy, since each
-/// pair of places counts twice. Where parts of a surface begin or cease to face each other within the law's range, its
-/// energy jumps; what a step loses so is booked as dissipated under the interaction's name.
+/// each place with those of the other places that face it (see SelfVisibility), the law with half its energy, since
+/// each pair of places counts twice. Where parts of a surface begin or cease to face each other within the law's range,
+/// its energy jumps; what a step loses so is booked as dissipated under the interaction's name.
 struct SurfacePair : SurfaceForces {
   std::string primary;                          ///< side set; `side_set` is the secondary surface
   Smoothing smoothing = Smoothing::CatmullRom;  ///< of both surfaces
@@ -33,7 +33,8 @@ struct SurfacePair : SurfaceForces {
   /// about pi times the cutoff [L0]. Otherwise 0.
   double exclusion = 0;
   /// One for a surface that interacts with itself, or with factors. DoubleIntegral has no cutoff, no friction and no
-  /// axisymmetric mesh; its law must be Van der Waals, see powers_of(). With two passes each has half of the friction.
+  /// axisymmetric mesh; its law must be Van der Waals, see GapLaw::powers(). With two passes each has half of the
+  /// friction.
   Passes passes = Passes::One;
 
   bool is_with_itself() const { return side_set == primary; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interaction/gap_law.hpp"
 #include "model/traits.hpp"
 
 namespace ixos {

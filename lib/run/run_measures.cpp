@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interaction/gap_law.hpp"
 #include "model/branch_reports.hpp"
 #include "model/crossing.hpp"
 #include "model/traits.hpp"

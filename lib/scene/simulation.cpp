@@ -12,8 +12,8 @@
 #include "base/phase_timer.hpp"
 #include "mesh/connected_parts.hpp"
 #include "mesh/fingerprint.hpp"
-#include "mesh/halving.hpp"
 #include "mesh/partition.hpp"
+#include "mesh/refinement.hpp"
 #include "scene/examine/compatibility.hpp"
 #include "scene/examine/mesh_inspection.hpp"
 #include "scene/examine/notes.hpp"
@@ -138,8 +138,9 @@ LocalMesh Simulation::local_mesh(const Mesh& mesh, const std::vector<int>& owner
                                  Inertia inertia) const {
   LocalMesh local = localize(mesh, owner, rank, ranks, whole_side_sets(interactions_));
   const long long dofs = static_cast<long long>(mesh.nodes()) * mesh.dimension;
-  if (inertia != Inertia::Lumped && may_use_parents(parameters_.sublist("Linear Solver"), mesh.dimension, dofs, ranks))
-    add_parents(mesh, owner, rank, ranks, local);
+  if (inertia != Inertia::Lumped &&
+      may_use_coarse_cells(parameters_.sublist("Linear Solver"), mesh.dimension, dofs, ranks))
+    add_coarse_cells(mesh, owner, rank, ranks, local);
   return local;
 }
 
@@ -221,7 +222,7 @@ void Simulation::build_integrator(Table table) {
                          mesh_quality_.largest_aspect_ratio,
                          tangent_stiffness(*model_, table, longest),
                          has_quadratic_cells(model_->mesh()),
-                         model_->mesh().halving != nullptr};
+                         model_->mesh().refinement != nullptr};
   const bool restartable = output_.checkpoint.keep > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);

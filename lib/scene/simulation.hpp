@@ -73,7 +73,7 @@ class Simulation {
  private:
   Table chosen_table() const;
   std::vector<int> partition(const Mesh& mesh, int ranks, Inertia inertia) const;
-  /// Extracts a rank's part, with the parents of its cells if the solver may use them.
+  /// Extracts a rank's part, with its coarse cells if the solver may use them.
   LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks, Inertia inertia) const;
   using MakeMesh = std::function<Mesh(Teuchos::ParameterList& list)>;
   Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const MakeMesh& make_mesh,

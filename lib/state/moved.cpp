@@ -81,6 +81,7 @@ class ColumnMove {
     add_function(
         logarithm, 1, [](double x) { return std::expm1(x); }, mean);
     std::vector<double> result;
+    result.reserve(places.size());
     for (const auto& [i, j] : places) result.push_back(mean[3 * i + j]);
     return result;
   }

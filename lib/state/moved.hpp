@@ -48,8 +48,8 @@ struct StateSource {
 
 /// Returns the state at the same time with moved displacements, velocities, accelerations and histories. Loads and
 /// reactions are empty: they belong to the step that led to the state. `histories`: of the model to which it moves,
-/// without a past; lists, such as the sight of a surface on itself, stay as they are there, and columns that only the
-/// state has, such as the rates of its last step, are left out. Throws as move_columns().
+/// without a past; lists, such as the visibility of a surface on itself, stay as they are there, and columns that only
+/// the state has, such as the rates of its last step, are left out. Throws as move_columns().
 State moved(const State& state, const StateSource& source, TermHistories histories);
 
 }  // namespace ixos

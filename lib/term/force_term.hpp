@@ -32,7 +32,7 @@ class TangentAction {
  public:
   virtual ~TangentAction() = default;
   /// Takes the tangent that ForceTerm::add_tangent would add, plus the linear part, which interactions do not have.
-  /// Accepts only rules for which the term is a gradient. An elastic action keeps single precision, see ElasticAction.
+  /// Accepts only rules for which the term is a gradient. An elastic action keeps single precision, see PointProduct.
   virtual void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart& linear) = 0;
   /// Returns whether it applies a mass. If not, the linear part's `inertia` has to be 0.
   virtual bool applies_mass() const { return false; }
@@ -99,8 +99,8 @@ class ForceTerm : public Term {
   /// Returns the names of the numbers by which add_parameter_derivative() differentiates the force. Equal on all ranks.
   virtual std::vector<std::string> parameters() const { return {}; }
   /// Adds the derivative of add_force() by a number, all displacements kept: `parameter` is its place in parameters().
-  /// Returns false if some time point is inadmissible. By default each number is a factor of the whole force, 1 at
-  /// first. Throws std::logic_error if there is no such number.
+  /// Returns false if some time point is inadmissible. Throws std::logic_error by default, for terms without such
+  /// numbers.
   virtual bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
                                         double* f) const;
 
@@ -109,11 +109,18 @@ class ForceTerm : public Term {
   /// Returns this rank's share of the energy whose gradient the force is over a segment with a length, in the stage
   /// that began last in the place's step [E0 L0^D]. It differs from the energy if the term relaxes meanwhile.
   virtual double potential(const Place& at) const { return energy(at); }
+
+ protected:
+  /// Adds the derivative by the only number of a term that is a factor of its whole force, 1 at first.
+  bool add_factor_derivative(std::size_t parameter, const Segment& segment, const Rule& rule, double* f) const;
 };
 
-inline bool ForceTerm::add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
-                                                double* f) const {
-  if (parameter >= parameters().size()) throw std::logic_error("a term has no such parameter");
+inline bool ForceTerm::add_parameter_derivative(std::size_t, const Segment&, const Rule&, double*) const {
+  throw std::logic_error("a term has no derivative by such a parameter");
+}
+inline bool ForceTerm::add_factor_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
+                                             double* f) const {
+  if (parameter != 0) throw std::logic_error("a term has no such parameter");
   return add_force(segment, rule, f);
 }
 inline bool ForceTerm::add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints&, double* f) const {

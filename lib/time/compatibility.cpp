@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "material/elastic_law.hpp"
 
 namespace ixos {
 

@@ -150,9 +150,10 @@ class Integrator {
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
   bool keeps_static_rates_ = false;
-  double resumed_jump_ = 0;
   bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
   bool has_external_ = false;        ///< the model has loads or constraints on some rank
+  bool in_step_ = false;             ///< the memories are of the step from the present state
+  double resumed_jump_ = 0;
   std::vector<std::unique_ptr<StageSolver>> solvers_;
   std::vector<std::size_t> solver_of_;  ///< by stage
   NewtonOptions newton_;
@@ -163,7 +164,6 @@ class Integrator {
   std::vector<State> states_;  ///< the present state, then the ends of the stages
   StepMemories memories_;
   std::size_t slots_ = 0;      ///< of the memories
-  bool in_step_ = false;       ///< the memories are of the step from the present state
   std::vector<double> known_;  ///< scratch
   double time_carry_ = 0;
   double dissipated_ = 0;

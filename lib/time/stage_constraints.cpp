@@ -50,9 +50,9 @@ void StageProblem::constrain_residual(double* out) {
       const auto d = static_cast<std::size_t>(model_.mesh().dimension);
       values_.resize(static_cast<std::size_t>(model_.pattern().pairs()) * d * d);
       assemble(values_.data());
+      tangent_at_ = {u_, arm_, relaxation_};
       model_.constrained_entries().multiply(values_.data(), bracket_.data(), product_.data());
     }
-    tangent_at_ = u_;
     for (std::size_t i = 0; i < owned; ++i) out[i] -= product_[i];
   }
   for (int dof : model_.constraints().dofs()) {

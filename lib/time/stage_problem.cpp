@@ -102,8 +102,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   stage_time_ = time + stage_->end * dt;
   start_ = &known[0];
   step_ = &step;
-  kept_of_ = imported_for_ = nullptr;
-  tangent_at_.clear();
+  ++arm_;
   has_potential_ = is_symmetric(model_, *stage_) && rates_are_gradients(model_, stage_->rate_form);
   const std::vector<KnownState> states = known_states(known, stage + 1);
   if (has_mass_) evaluate_known(stage_->inertia, states, dt, known_inertia_);
@@ -120,7 +119,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   // If the last residual was at this start, a rule with equal weights at both ends has its kept part there already, to
   // the last bit: the weights are 1/2. Obstacles that have moved and histories that have grown change it.
   const bool have_end =
-      residual_of_ == stage_ && u_ == known[0].u && !has_moved_obstacles(model_) && !has_histories(model_);
+      at_u_.forces_of == stage_ && u_ == known[0].u && !has_moved_obstacles(model_) && !has_histories(model_);
   const auto keep = [&](Part part, const Rule& rule) {
     if (rule.kept_weight == 0) return;
     const std::vector<double>& force = balance_.force(part);
@@ -132,7 +131,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
     start.step = step_;
     // By the same function as in a step, whose rounding other ones do not repeat.
     admissible = balance_.evaluate(part, start, end_rule(), kept_points()) && admissible;
-    residual_of_ = kept_of_ = imported_for_ = nullptr;
+    at_u_ = {};
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
   keep(Part::Elastic, stage_->elastic);
@@ -222,12 +221,16 @@ void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<dou
   }
 }
 
+void StageProblem::move_to(const Vector& x) {
+  model_.space().import(x, u_.data());
+  at_u_ = {};
+}
+
 bool StageProblem::residual(const Vector& x, Vector& f) {
   const TimedScope timed(Phase::Residual);
   const auto owned = static_cast<std::size_t>(model_.space().owned());
-  model_.space().import(x, u_.data());
-  residual_of_ = stage_;
-  kept_of_ = imported_for_ = nullptr;
+  move_to(x);
+  at_u_.forces_of = stage_;
   if (has_mass_) inertia_bracket(u_, bracket_);
   const BalancePoint at = point();
   const bool admissible = balance_.evaluate(at, kept_points());
@@ -257,8 +260,8 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   moving_ = sums[4] > 0;
   // A rounding beyond all numbers would pass any force as converged.
   if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2] + sums[6])) return false;
-  imported_for_ = stage_;
-  if (!kept_points_.empty()) kept_of_ = stage_;
+  at_u_.imported = arm_;
+  if (!kept_points_.empty()) at_u_.kept = arm_;
   // After a long step the rounding errors are larger than at its start.
   const double norm = std::sqrt(sums[5]);
   rounding_here_ = 2 * std::numeric_limits<double>::epsilon() *
@@ -282,8 +285,7 @@ void StageProblem::record_forces(State& state) const {
 
 double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
   if (!model_.has_interactions()) return 1.0;
-  model_.space().import(x, u_.data());
-  residual_of_ = kept_of_ = imported_for_ = nullptr;
+  move_to(x);
   model_.space().import(direction, direction_.data());
   return balance_.sums().admissible_step(segment(stage_->interaction), stage_->interaction, direction_.data());
 }

@@ -70,7 +70,10 @@ class StageProblem final : public NonlinearProblem {
   /// Sets the tangent's values at u_, constraints apart.
   void assemble(double* values) const;
   KeptForces* kept_points() { return kept_points_.empty() ? nullptr : &kept_points_; }
+  /// Sets u_ to x, ghosts included.
+  void move_to(const Vector& x);
   bool is_at(const Vector& x) const;
+  bool has_tangent() const;
   void linearize();
   Tangent tangent_kind() const;
   double shift() const;
@@ -107,14 +110,26 @@ class StageProblem final : public NonlinearProblem {
   int relaxation_ = 0;
 
   Balance balance_;
-  std::vector<double> u_;                ///< local, of the last evaluation of forces or tangents
-  const Stage* residual_of_ = nullptr;   ///< whose forces at u_ residual() left in the balance, if any
-  KeptForces kept_points_;               ///< of residual(); empty if the tangent is applied without a matrix
-  const Stage* imported_for_ = nullptr;  ///< the stage of the last residual, if u_ is its x
-  const Stage* kept_of_ = nullptr;       ///< whose points at u_ are kept, if any
+  std::vector<double> u_;  ///< local, of the last evaluation of forces or tangents
+  /// Results at u_, each with the stage, or the number of the arm(), that it was computed for; nothing if u_ has
+  /// another value since.
+  struct Computed {
+    const Stage* forces_of = nullptr;  ///< the stage whose forces residual() left in the balance
+    long imported = 0;                 ///< the arm() in which residual() took u_ from its x
+    long kept = 0;                     ///< the arm() in which it kept the points
+  };
+  Computed at_u_;
+  long arm_ = 0;            ///< the number of the last arm()
+  KeptForces kept_points_;  ///< of residual(); empty if the tangent is applied without a matrix
   std::vector<double> bracket_, product_, reaction_;
-  std::vector<double> tangent_at_;  ///< u of a tangent that residual() needed on the way; empty if there is none
-  std::vector<double> values_;      ///< the values of that tangent, if it is a matrix
+  /// Where the tangent was taken last that residual() needed on the way, or the one without a matrix.
+  struct TangentAt {
+    std::vector<double> u;
+    long arm = 0;
+    int relaxation = 0;
+  };
+  TangentAt tangent_at_;
+  std::vector<double> values_;                 ///< the values of that tangent, if it is a matrix
   Teuchos::RCP<TangentOperator> matrix_free_;  ///< null if the tangent is a matrix
   mutable std::vector<double> direction_;
 };

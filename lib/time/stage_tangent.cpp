@@ -9,13 +9,10 @@
 
 namespace ixos {
 
-void StageProblem::relax_tangent(int level) {
-  if (level != relaxation_) tangent_at_.clear();
-  relaxation_ = level;
-}
+void StageProblem::relax_tangent(int level) { relaxation_ = level; }
 
 void StageProblem::assemble(double* values) const {
-  balance_.tangent(point(), weights(), tangent_kind(), kept_of_ == stage_ ? &kept_points_ : nullptr, values);
+  balance_.tangent(point(), weights(), tangent_kind(), at_u_.kept == arm_ ? &kept_points_ : nullptr, values);
 }
 
 Tangent StageProblem::tangent_kind() const { return relaxation_ == 0 ? Tangent::Exact : Tangent::Convex; }
@@ -24,7 +21,14 @@ double StageProblem::shift() const {
   return relaxation_ > 1 ? model_.scales().elastic * std::pow(10.0, relaxation_ - 8) : 0;
 }
 
-void StageProblem::linearize() { matrix_free_->linearize(point(), weights(), tangent_kind(), diagonal_); }
+bool StageProblem::has_tangent() const {
+  return tangent_at_.arm == arm_ && tangent_at_.relaxation == relaxation_ && tangent_at_.u == u_;
+}
+
+void StageProblem::linearize() {
+  matrix_free_->linearize(point(), weights(), tangent_kind(), diagonal_);
+  tangent_at_ = {u_, arm_, relaxation_};
+}
 
 Teuchos::RCP<Operator> StageProblem::create_operator() {
   if (nonnull(matrix_free_)) return matrix_free_;
@@ -33,7 +37,7 @@ Teuchos::RCP<Operator> StageProblem::create_operator() {
 
 /// Returns whether u_ is x, on all ranks, so that its ghosts need no exchange.
 bool StageProblem::is_at(const Vector& x) const {
-  if (imported_for_ != stage_) return false;
+  if (at_u_.imported != arm_) return false;
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   bool same = true;
   for (std::size_t i = 0; i < view.extent(0); ++i) same = same && view(i, 0) == u_[i];
@@ -42,19 +46,14 @@ bool StageProblem::is_at(const Vector& x) const {
 
 void StageProblem::tangent(const Vector& x, Operator& w) {
   const TimedScope timed(Phase::Tangent);
-  if (!is_at(x)) {
-    model_.space().import(x, u_.data());
-    residual_of_ = kept_of_ = imported_for_ = nullptr;
-  }
-  const bool known = u_ == tangent_at_;
+  if (!is_at(x)) move_to(x);
   if (nonnull(matrix_free_)) {
-    if (!known) linearize();
-    tangent_at_ = u_;
+    if (!has_tangent()) linearize();
     return;
   }
   const auto matrix = dynamic_cast<CrsMatrix&>(w).getLocalMatrixHost();
   double* values = matrix.values.data();
-  if (known) {
+  if (has_tangent()) {
     std::copy(values_.begin(), values_.end(), values);
   } else {
     assemble(values);

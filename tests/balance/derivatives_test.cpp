@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "model/conditions.hpp"
 #include "model/surface_interaction.hpp"

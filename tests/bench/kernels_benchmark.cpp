@@ -156,7 +156,7 @@ struct LawFixture : Fixture {
 };
 
 void law_force(benchmark::State& state) {
-  LawFixture x(state);
+  LawFixture x(state, static_cast<int>(state.range(2)));
   for (auto _ : state)
     benchmark::DoNotOptimize(
         ixos::TermSums(x.model).force(ixos::Part::Elastic, x.here(), ixos::end_rule(), x.f.data()));
@@ -164,7 +164,7 @@ void law_force(benchmark::State& state) {
 }
 
 void law_tangent(benchmark::State& state) {
-  LawFixture x(state);
+  LawFixture x(state, static_cast<int>(state.range(2)));
   double* values = x.matrix->getLocalMatrixHost().values.data();
   for (auto _ : state)
     ixos::TermSums(x.model).add_tangent(ixos::Part::Elastic, x.here(), ixos::end_rule(), ixos::Tangent::Exact, values);
@@ -273,8 +273,8 @@ void interaction_kept(benchmark::State& state) {
 BENCHMARK(elastic_force)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
 BENCHMARK(elastic_tangent)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
 BENCHMARK(elastic_kept)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
-BENCHMARK(law_force)->ArgNames({"D", "law"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}});
-BENCHMARK(law_tangent)->ArgNames({"D", "law"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}});
+BENCHMARK(law_force)->ArgNames({"D", "law", "order"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}, {1, 2}});
+BENCHMARK(law_tangent)->ArgNames({"D", "law", "order"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}, {1, 2}});
 BENCHMARK(law_product)->ArgNames({"D", "law", "order"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}, {1, 2}});
 BENCHMARK(maxwell_force)->ArgNames({"D", "points", "branches"})->ArgsProduct({{2, 3}, {1, 4}, {1, 2, 4}});
 BENCHMARK(maxwell_tangent)->ArgNames({"D", "points", "branches"})->ArgsProduct({{2, 3}, {1, 4}, {1, 2, 4}});

@@ -10,9 +10,9 @@ rows, result. Row 0 is the first row below the header. A difference is relative 
 so it is large in a column that holds rounding errors only, such as a momentum across the motion. The exit status is 1
 if a form fails, differs beyond the tolerance, or lacks a column that it had before.
 
---times runs some scenes with both builds in turns, five times each, and the benchmark product_times if both builds have
-it (target `benchmarks`). It prints the ratio of the medians, and the least and the largest ratio of a pair of runs, one
-of each build. The machine should be idle.
+--times runs some scenes with both builds in turns, ten times each, and the benchmark product_times if both builds have
+it (target `benchmarks`). It prints the least times and their ratio, and the least and the largest ratio of a pair of
+runs, one of each build. The machine should be idle.
 """
 import argparse
 import contextlib
@@ -20,7 +20,6 @@ import functools
 import json
 import pathlib
 import shutil
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -31,7 +30,7 @@ from driver_process import BENCH_ENVIRONMENT, ROOT, driver_command, test_environ
 
 ENVIRONMENT = {**BENCH_ENVIRONMENT, **test_environment()}
 NAMES = ("before", "after")
-PAIRS = 5         # of runs, for a ratio of times
+PAIRS = 10        # of runs, for a ratio of times
 TIME_LIMIT = 900  # seconds that a run may take
 
 
@@ -106,7 +105,7 @@ def print_times(builds, measure):
     for name in samples[0][0]:
         before, after = ([sample[name][0] for sample in side] for side in samples)
         ratios = [b / a for a, b in zip(before, after)]
-        first, second = statistics.median(before), statistics.median(after)
+        first, second = min(before), min(after)
         print(f"| {name} | {first:.4g} | {second:.4g} | {second / first:.3f} | {min(ratios):.3f} to "
               f"{max(ratios):.3f} | {samples[0][0][name][1]} | {samples[1][0][name][1]} |", flush=True)
 

@@ -193,6 +193,7 @@ def forms_to_compare(schemes, folder):
 
 def forms_to_time():
     """Returns the forms whose times count."""
-    settings = {"ball": BALL, "strip": STRIP, "block-on-wall": BLOCK, "spatula": SPATULA}
+    settings = {"ball": [FINAL + "5"], "strip": [RAMP + "2", FINAL + "12"], "block-on-wall": BLOCK, "spatula": SPATULA,
+                "two-spheres": TWO_SPHERES, "jkr": [*JKR, STEPS + "Time Step=0.01"]}
     return [Form(scene, XML / (scene + ".xml"), [*short, "Output/Checkpoint/Keep=0"])
             for scene, short in settings.items()]

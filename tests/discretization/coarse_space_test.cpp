@@ -12,8 +12,8 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
-#include "mesh/halving.hpp"
 #include "mesh/partition.hpp"
+#include "mesh/refinement.hpp"
 #include "mesh/selection.hpp"
 #include "support/scene_text.hpp"
 
@@ -24,7 +24,7 @@ LocalMesh part_of(const Mesh& mesh, const Comm& comm) {
   const int rank = comm->getRank(), ranks = comm->getSize();
   const std::vector<int> owner = partition_nodes(mesh, ranks);
   LocalMesh part = localize(mesh, owner, rank, ranks);
-  add_parents(mesh, owner, rank, ranks, part);
+  add_coarse_cells(mesh, owner, rank, ranks, part);
   return part;
 }
 

@@ -167,5 +167,40 @@ TYPED_TEST(ElementBatchesTest, TangentsAreAddedToTheRowsOfOwnedNodes) {
   }
 }
 
+// Numbers of one component are those of vectors and matrices whose other components are 0.
+TYPED_TEST(ElementBatchesTest, OneComponentIsAVectorWithoutOthers) {
+  constexpr std::size_t N = TypeParam::N, D = TypeParam::D;
+  const TypeParam grid;
+  std::vector<double> local;
+  for (std::size_t k = 0; k < grid.dofs(); ++k) local.push_back(TypeParam::number(k));
+  for (const auto& scale : grid.scales())
+    for (std::size_t d = 0; d < D; ++d) {
+      const typename TypeParam::Batches batches(grid.nodes, grid.pattern, scale);
+      std::vector<double> force = local, expected_force = local;
+      std::vector<double> values(static_cast<std::size_t>(grid.pattern.pairs()) * D * D, 1.0), expected_values = values;
+      for (std::size_t b = 0; b < batches.size(); ++b) {
+        Small<Pack, N, D> all{};
+        std::array<Pack, N> own{};
+        batches.gather(b, local.data(), all);
+        batches.gather(b, local.data(), d, own);
+        Small<Pack, N> k{};
+        Small<Pack, N * D> matrix{};
+        for (std::size_t a = 0; a < N; ++a) {
+          EXPECT_TRUE(all_of(own[a] == all[a][d]));
+          for (std::size_t i = 0; i < D; ++i)
+            if (i != d) all[a][i] = 0.0;
+          for (std::size_t c = 0; c < N; ++c)
+            matrix[a * D + d][c * D + d] = k[a][c] = Pack(TypeParam::number((b * N + a) * N + c));
+        }
+        batches.scatter_force(b, all, expected_force.data());
+        batches.scatter_force(b, d, own, force.data());
+        batches.scatter_tangent(b, matrix, expected_values.data());
+        batches.scatter_tangent(b, d, k, values.data());
+      }
+      EXPECT_EQ(force, expected_force);
+      EXPECT_EQ(values, expected_values);
+    }
+}
+
 }  // namespace
 }  // namespace ixos

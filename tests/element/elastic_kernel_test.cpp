@@ -13,6 +13,8 @@
 namespace ixos {
 namespace {
 
+using test::ElasticKernel;
+
 /// One element of a material in a finite motion, over any scalar type.
 template <class Element, class Material>
 struct Body : test::ElementNodes<Element> {
@@ -223,7 +225,8 @@ TYPED_TEST(ElasticKernelTest, PacksEqualDoublesLaneByLane) {
       for (std::size_t a = 0; a < TypeParam::N; ++a)
         for (std::size_t d = 0; d < TypeParam::D; ++d) EXPECT_NEAR(lane(force[a][d], i), one_force[a][d], 1e-13);
       for (std::size_t r = 0; r < tangent.size(); ++r)
-        for (std::size_t c = 0; c < tangent.size(); ++c) EXPECT_NEAR(lane(tangent[r][c], i), one_tangent[r][c], 1e-13);
+        for (std::size_t c = 0; c < tangent.size(); ++c)
+          EXPECT_NEAR(lane(tangent[r][c], i), one_tangent[r][c], 1e-14 * (10 + std::abs(one_tangent[r][c])));
     }
   }
 }
@@ -259,18 +262,19 @@ void expect_kept_sums() {
   for (double share : {0.01, 1.0}) {
     const auto m = shortened(B::motion(0.0), share);
     const auto geometry = Kernel::geometry(B::table(), m.x);
-    std::vector<typename NeoHooke::Path<B::D, double>::Sums> sums(B::table().size());
+    const typename Kernel::template Segment<double> segment{&m.from, nullptr, &m.to};
+    const std::size_t size = Kernel::template kept_size<double>(body.material, rule);
+    EXPECT_EQ(size > 0, B::D == 2) << "in space it takes longer to write and read the sums";
+    std::vector<double> kept(size * B::table().size() + 1);
     typename B::template Nodal<double> f{};
-    const double least = Kernel::add_force_and_sums(body.material, geometry,
-                                                    typename Kernel::template Segment<double>{&m.from, nullptr, &m.to},
-                                                    rule, f, sums.data());
+    const double least = Kernel::add_force(body.material, geometry, segment, rule, f, kept.data());
     EXPECT_EQ(least, body.least_jacobian(m, rule));
     EXPECT_EQ(f, body.force(m, rule));
     Small<double, B::N * B::D> k{};
-    ASSERT_EQ(Kernel::add_summed_tangent(body.material, geometry, sums.data(), k), share < 1);
+    Kernel::add_tangent(body.material, geometry, segment, rule, k, kept.data());
     const auto expected = body.tangent(m, rule);
     for (std::size_t r = 0; r < k.size(); ++r)
-      for (std::size_t c = 0; c < k.size(); ++c) EXPECT_NEAR(k[r][c], share < 1 ? expected[r][c] : 0.0, 1e-14);
+      for (std::size_t c = 0; c < k.size(); ++c) EXPECT_NEAR(k[r][c], expected[r][c], 1e-14);
   }
 }
 

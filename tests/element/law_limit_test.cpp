@@ -1,6 +1,7 @@
 // States beyond the limit of a law are inadmissible in every element, as inverted ones are.
 #include <gtest/gtest.h>
 
+#include "element/elastic_kernel.hpp"
 #include "element/element_nodes.hpp"
 #include "element/enhanced_kernel.hpp"
 #include "element/projected_dilatation_kernel.hpp"
@@ -9,6 +10,8 @@
 
 namespace ixos {
 namespace {
+
+using test::ElasticKernel;
 
 /// Simple shear gamma of a square: I1 - 3 = gamma^2, and J = 1.
 template <class Kernel>
@@ -37,14 +40,15 @@ class LawLimitTest : public testing::Test {
     return least(Kernel::add_force(material_, geometry_, {&start, nullptr, &end}, rule, force)) > 0;
   }
 
-  AnyElasticLaw material_{make_elastic_law("Gent", {{"Limit", 4.0}})};
+  AnyLaw<PlaneSpace> material_{make_elastic_law("Gent", {{"Limit", 4.0}})};
   typename Kernel::Table table_{product_rule(std::array<int, 2>{2, 2})};
   Nodal x_{};
   typename Kernel::template Geometry<Pack> geometry_;
 };
 
-using Kernels = testing::Types<ElasticKernel<Quad4, AnyElasticLaw>, MeanDilatationKernel<Quad4, AnyElasticLaw>,
-                               ProjectedDilatationKernel<Quad9, AnyElasticLaw>, EnhancedKernel<Quad4, AnyElasticLaw>>;
+using Kernels =
+    testing::Types<ElasticKernel<Quad4, AnyLaw<PlaneSpace>>, MeanDilatationKernel<Quad4, AnyLaw<PlaneSpace>>,
+                   ProjectedDilatationKernel<Quad9, AnyLaw<PlaneSpace>>, EnhancedKernel<Quad4, AnyLaw<PlaneSpace>>>;
 TYPED_TEST_SUITE(LawLimitTest, Kernels);
 
 TYPED_TEST(LawLimitTest, AStateBeyondItIsInadmissible) {
@@ -62,9 +66,9 @@ TYPED_TEST(LawLimitTest, SoIsAStepThatEndsBeyondIt) {
 
 /// Bent, a square of full integration shears and a square with modes does not. The law sees the latter's strain alone.
 TEST(LawLimitModesTest, AreThoseOfTheStateWithItsModes) {
-  using Kernel = EnhancedKernel<Quad4, AnyElasticLaw>;
-  using Plain = ElasticKernel<Quad4, AnyElasticLaw>;
-  const AnyElasticLaw material(make_elastic_law("Gent", {{"Limit", 0.1}, {"Poisson's Ratio", 0.0}}));
+  using Kernel = EnhancedKernel<Quad4, AnyLaw<PlaneSpace>>;
+  using Plain = ElasticKernel<Quad4, AnyLaw<PlaneSpace>>;
+  const AnyLaw<PlaneSpace> material(make_elastic_law("Gent", {{"Limit", 0.1}, {"Poisson's Ratio", 0.0}}));
   const typename Kernel::Table table{product_rule(std::array<int, 2>{2, 2})};
   Kernel::Nodal<Pack> x{}, start{}, end{};
   for (std::size_t a = 0; a < Kernel::N; ++a)
@@ -91,8 +95,8 @@ TEST(LawLimitModesTest, AreThoseOfTheStateWithItsModes) {
 }
 
 TEST(LawLimitGradientTest, ADiscreteGradientBeyondItIsInadmissible) {
-  using Kernel = ElasticKernel<Quad4, AnyElasticLaw>;
-  const AnyElasticLaw material(make_elastic_law("Gent", {{"Limit", 4.0}}));
+  using Kernel = ElasticKernel<Quad4, AnyLaw<PlaneSpace>>;
+  const AnyLaw<PlaneSpace> material(make_elastic_law("Gent", {{"Limit", 4.0}}));
   const typename Kernel::Table table{product_rule(std::array<int, 2>{2, 2})};
   Kernel::Nodal<Pack> x{}, start{}, end{};
   for (std::size_t a = 0; a < Kernel::N; ++a)

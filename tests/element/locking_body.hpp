@@ -1,5 +1,7 @@
 /// One element of each kernel, for the tests of the cures of locking.
 #pragma once
+#include "element/cell_means.hpp"
+#include "element/elastic_kernel.hpp"
 #include "element/element_nodes.hpp"
 #include "element/enhanced_kernel.hpp"
 #include "element/projected_dilatation_kernel.hpp"
@@ -7,6 +9,16 @@
 #include "material/neo_hooke.hpp"
 
 namespace ixos::test {
+
+/// Returns the mean over the reference volume of value(H), an array of numbers, of what the law sees in an element.
+template <class Kernel, class Geometry, class Nodal, class Value>
+auto mean_of(const typename Kernel::Law& law, const Geometry& geometry, const Nodal& u, const Value& value) {
+  std::vector<Small<double, Kernel::G>> h;
+  Kernel::seen(law, geometry, u, h);
+  std::vector<double> weights;
+  for (const auto& point : geometry.points) weights.push_back(point.weight);
+  return mean_over(h.size(), weights.data(), [&](std::size_t q) { return value(h[q]); });
+}
 
 /// One element of a kernel, over any scalar type.
 template <class ElementType, class KernelType>

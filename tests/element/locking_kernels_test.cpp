@@ -94,15 +94,15 @@ TYPED_TEST(LockingKernelsTest, HomogeneousStatesOfADistortedElementAreThoseOfThe
   EXPECT_NEAR(body.energy(u), TypeParam::Standard::energy(body.law, geometry, u), 1e-14);
   const auto cured = TypeParam::Kernel::geometry(TypeParam::table(), body.x);
   const auto expect_mean = [&](const auto& value) {
-    const auto mean = TypeParam::Kernel::mean(body.law, cured, u, value);
-    const auto standard = TypeParam::Standard::mean(body.law, geometry, u, value), exact = value(h);
+    const auto mean = test::mean_of<typename TypeParam::Kernel>(body.law, cured, u, value);
+    const auto standard = test::mean_of<typename TypeParam::Standard>(body.law, geometry, u, value), exact = value(h);
     for (std::size_t i = 0; i < mean.size(); ++i) {
       EXPECT_NEAR(mean[i], exact[i], 1e-14) << i;
       EXPECT_NEAR(standard[i], exact[i], 1e-14) << i;
     }
   };
   expect_mean([&](const auto& gradient) { return invariants(body.law, gradient); });
-  expect_mean([&](const auto& gradient) { return cauchy_stress(body.law, gradient); });
+  expect_mean([&](const auto& gradient) { return cauchy_stress(body.law, gradient, TypeParam::Law::can_invert); });
 }
 
 TYPED_TEST(LockingKernelsTest, SmallDisplacementsKeepTheirDigits) {

@@ -25,15 +25,15 @@ struct Pair {
     return p;
   }
   struct Found {
-    SurfaceFoot<D> foot;
+    SurfaceProjection<D> projection;
     PairGap<D> gap;
   };
   Found find() const {
     const std::vector<SurfacePatch<D>> all{patch};
     const std::vector<Vec<D>> nodes(x.begin() + 4, x.end());
     const PlacedSurface<D> placed(all, nodes);
-    const SurfaceFoot<D> foot = placed.nearest(place());
-    return {foot, PairGap<D>(weights, 4, patch, foot)};
+    const SurfaceProjection<D> projection = placed.nearest(place());
+    return {projection, PairGap<D>(weights, 4, patch, projection)};
   }
   /// Returns the place in x of a node of the gap.
   std::size_t number(std::size_t node) const {
@@ -96,9 +96,9 @@ std::vector<Pair<3>> space_pairs() {
 template <std::size_t D>
 void expect_derivatives(const std::vector<Pair<D>>& pairs) {
   for (const Pair<D>& pair : pairs) {
-    const auto [foot, gap] = pair.find();
+    const auto [projection, gap] = pair.find();
     bool free = false;
-    for (const bool fixed : foot.fixed) free = free || !fixed;
+    for (const bool fixed : projection.fixed) free = free || !fixed;
     EXPECT_EQ(gap.is_round(), !free);
     const auto gradient = gap.gradient();
     const std::size_t size = D * gap.nodes();
@@ -111,7 +111,7 @@ void expect_derivatives(const std::vector<Pair<D>>& pairs) {
       ahead.x[pair.number(r / D)][r % D] += h;
       behind.x[pair.number(r / D)][r % D] -= h;
       const auto up = ahead.find(), down = behind.find();
-      EXPECT_NEAR((up.foot.gap - down.foot.gap) / (2 * h), gradient[r], 1e-9);
+      EXPECT_NEAR((up.projection.gap - down.projection.gap) / (2 * h), gradient[r], 1e-9);
       const auto at_up = up.gap.gradient(), at_down = down.gap.gradient();
       for (std::size_t c = 0; c < size; ++c) {
         EXPECT_NEAR((at_up[c] - at_down[c]) / (2 * h), second[r * size + c], 1e-8) << r << " " << c;
@@ -134,14 +134,14 @@ Twice power(const Twice& t, int k, int derivative) {
   return result;
 }
 
-/// The gap with its derivatives: the foot's free parameters solve x_,k . (p - y) = 0 by Newton's method in numbers with
-/// derivatives, from the foot on, so that each step makes derivatives of one more order exact. `x`: component by
-/// component, as Pair::x.
+/// The gap with its derivatives: the closest point's free parameters solve x_,k . (p - y) = 0 by Newton's method in
+/// numbers with derivatives, from the closest point on, so that each step makes derivatives of one more order exact.
+/// `x`: component by component, as Pair::x.
 template <std::size_t D>
-Twice differentiated_gap(const Pair<D>& pair, const SurfaceFoot<D>& foot, const std::vector<Twice>& x) {
+Twice differentiated_gap(const Pair<D>& pair, const SurfaceProjection<D>& projection, const std::vector<Twice>& x) {
   const SurfacePatch<D>& patch = pair.patch;
   std::array<Twice, D - 1> xi;
-  for (std::size_t k = 0; k + 1 < D; ++k) xi[k] = foot.xi[k];
+  for (std::size_t k = 0; k + 1 < D; ++k) xi[k] = projection.xi[k];
   // The derivative of the patch's place, of these orders in the parameters.
   const auto place = [&](std::array<int, 2> orders) {
     std::array<Twice, D> sum;
@@ -167,7 +167,7 @@ Twice differentiated_gap(const Pair<D>& pair, const SurfaceFoot<D>& foot, const 
     for (std::size_t i = 0; i < D; ++i) sum = sum + a[i] * b[i];
     return sum;
   };
-  const auto from_foot = [&] {
+  const auto from_projection = [&] {
     std::array<Twice, D> r = place({0, 0});
     for (std::size_t i = 0; i < D; ++i) {
       Twice point = 0.0;
@@ -178,9 +178,9 @@ Twice differentiated_gap(const Pair<D>& pair, const SurfaceFoot<D>& foot, const 
   };
   std::vector<std::size_t> free;
   for (std::size_t k = 0; k + 1 < D; ++k)
-    if (!foot.fixed[k]) free.push_back(k);
+    if (!projection.fixed[k]) free.push_back(k);
   for (int iteration = 0; iteration < 4; ++iteration) {
-    const std::array<Twice, D> r = from_foot();
+    const std::array<Twice, D> r = from_projection();
     std::array<std::array<Twice, 2>, 2> a;
     std::array<Twice, 2> b;
     const auto orders = [](std::size_t k) { return std::array<int, 2>{k == 0 ? 1 : 0, k == 1 ? 1 : 0}; };
@@ -199,15 +199,15 @@ Twice differentiated_gap(const Pair<D>& pair, const SurfaceFoot<D>& foot, const 
       xi[D - 2] = xi[D - 2] + (a[0][0] * b[1] - a[1][0] * b[0]) / det;
     }
   }
-  const std::array<Twice, D> r = from_foot();
+  const std::array<Twice, D> r = from_projection();
   const Twice distance = sqrt(dot(r, r));
-  return foot.gap < 0 ? Twice(-distance) : distance;
+  return projection.gap < 0 ? Twice(-distance) : distance;
 }
 
 template <std::size_t D>
 void expect_automatic_derivatives(const std::vector<Pair<D>>& pairs) {
   for (const Pair<D>& pair : pairs) {
-    const auto [foot, gap] = pair.find();
+    const auto [projection, gap] = pair.find();
     const auto gradient = gap.gradient();
     const std::size_t size = D * gap.nodes();
     std::vector<double> second(size * size, 0.0);
@@ -223,8 +223,8 @@ void expect_automatic_derivatives(const std::vector<Pair<D>>& pairs) {
         x[number(r)] = Twice(test::variable<1>(0, at_r));
         const test::Dual<1> value = x[number(c)].val();
         x[number(c)] = Twice(1, 0, value);
-        const Twice g = differentiated_gap(pair, foot, x);
-        EXPECT_NEAR(g.val().val(), foot.gap, 1e-14);
+        const Twice g = differentiated_gap(pair, projection, x);
+        EXPECT_NEAR(g.val().val(), projection.gap, 1e-14);
         EXPECT_NEAR(g.val().dx(0), gradient[r], 1e-13);
         EXPECT_NEAR(g.dx(0).dx(0), second[r * size + c], 2e-9) << r << " " << c;
       }
@@ -236,15 +236,15 @@ TEST(PairGapTest, DerivativesInThePlaneAreThoseOfAutomaticDifferentiation) {
 }
 TEST(PairGapTest, DerivativesInSpaceAreThoseOfAutomaticDifferentiation) { expect_automatic_derivatives(space_pairs()); }
 
-TEST(PairGapTest, TheCasesInSpaceHaveFeetInsideOnASideAndAtACorner) {
+TEST(PairGapTest, TheCasesInSpaceHaveProjectionsInsideOnASideAndAtACorner) {
   const std::vector<Pair<3>> pairs = space_pairs();
   std::vector<int> fixed;
   for (const Pair<3>& pair : pairs) {
-    const SurfaceFoot<3> foot = pair.find().foot;
-    fixed.push_back(foot.fixed[0] + foot.fixed[1]);
+    const SurfaceProjection<3> projection = pair.find().projection;
+    fixed.push_back(projection.fixed[0] + projection.fixed[1]);
   }
   EXPECT_EQ(fixed, (std::vector<int>{0, 1, 2, 0, 0}));
-  EXPECT_LT(pairs[3].find().foot.gap, 0);
+  EXPECT_LT(pairs[3].find().projection.gap, 0);
 }
 
 template <std::size_t D>

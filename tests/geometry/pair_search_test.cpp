@@ -34,8 +34,8 @@ struct Disks {
     for (Vec<2>& x : result.primary) x = x + primary;
     return result;
   }
-  /// Returns the gaps of points along the secondary surface, within the range: of feet among the neighbours, or among
-  /// all patches.
+  /// Returns the gaps of points along the secondary surface, within the range: of closest points among the neighbours,
+  /// or among all patches.
   std::vector<double> gaps(const PairPlaces<2>& at, double range, const PairNeighbours* neighbours) const {
     const PlacedSurface<2> secondary(surfaces.secondary.patches, at.secondary),
         primary(surfaces.primary.patches, at.primary);
@@ -43,22 +43,22 @@ struct Disks {
     for (std::size_t s = 0; s < surfaces.secondary.patches.size(); ++s)
       for (const double t : {0.0, 0.2, 0.5, 0.9}) {
         const Vec<2> place = secondary.patch(static_cast<int>(s)).at({t});
-        SurfaceFoot<2> foot;
+        SurfaceProjection<2> projection;
         if (neighbours == nullptr) {
-          foot = primary.nearest(place, range);
+          projection = primary.nearest(place, range);
         } else {
           const auto found = std::lower_bound(neighbours->secondary.begin(), neighbours->secondary.end(), s);
           if (found != neighbours->secondary.end() && *found == s)
-            foot = primary.nearest_among(
+            projection = primary.nearest_among(
                 neighbours->primary[static_cast<std::size_t>(found - neighbours->secondary.begin())], place, range);
         }
-        result.push_back(foot.gap);
+        result.push_back(projection.gap);
       }
     return result;
   }
 };
 
-TEST(PairSearchSerialTest, ItsNeighboursHaveAllFeetWhereverTheyHold) {
+TEST(PairSearchSerialTest, ItsNeighboursHaveAllProjectionsWhereverTheyHold) {
   const Disks disks;
   PairSearch<2> search(disks.surfaces, 0.2);
   const double range = 2;
@@ -98,7 +98,7 @@ TEST(PairSearchSerialTest, OneSearchCoversFastBodies) {
   }
 }
 
-TEST(PairSearchSerialTest, WithoutARangeFeetAreAmongFewPatchesWhereverTheyHold) {
+TEST(PairSearchSerialTest, WithoutARangeProjectionsAreAmongFewPatchesWhereverTheyHold) {
   const Disks disks;
   PairSearch<2> search(disks.surfaces, 0.2);
   std::size_t most = 0;

@@ -8,7 +8,7 @@
 
 #include "geometry/curve_patches.hpp"
 #include "geometry/face_patches.hpp"
-#include "geometry/patch_foot.hpp"
+#include "geometry/patch_projection.hpp"
 
 namespace ixos {
 namespace {
@@ -42,14 +42,14 @@ void expect_bounds(double noise, double slack) {
     const PatchBound<D> bound(placed);
     Vec<D> place;
     for (double& component : place) component = 2 * number(random);
-    const PatchFoot<D> foot = nearest_point(placed, patch.smooth, place, bound.start(place));
-    EXPECT_LE(bound.distance(place), foot.distance);
+    const PatchProjection<D> projection = nearest_point(placed, patch.smooth, place, bound.start(place));
+    EXPECT_LE(bound.distance(place), projection.distance);
     PatchParameters<D> any;
     for (double& t : any) t = (1 + number(random)) / 2;
-    for (const PatchParameters<D>& xi : {any, bound.start(place), foot.xi})
-      EXPECT_LE(bound.distance(place, placed.at(xi)), foot.distance + 1e-15);
-    largest = std::max(largest, foot.distance - bound.distance(place));
-    largest = std::max(largest, foot.distance - bound.distance(place, foot.frame.place));
+    for (const PatchParameters<D>& xi : {any, bound.start(place), projection.xi})
+      EXPECT_LE(bound.distance(place, placed.at(xi)), projection.distance + 1e-15);
+    largest = std::max(largest, projection.distance - bound.distance(place));
+    largest = std::max(largest, projection.distance - bound.distance(place, projection.frame.place));
   }
   EXPECT_LT(largest, slack);
 }
@@ -66,7 +66,7 @@ TEST(PatchBoundTest, NoFaceIsNearerThanItsBound) {
   expect_bounds<3>(0.3, 1);
 }
 
-TEST(PatchBoundTest, TheStartIsTheFootOfAFlatPatch) {
+TEST(PatchBoundTest, TheStartIsTheClosestPointOfAFlatPatch) {
   const PlacedPatch<3> placed = bilinear_patch({0, 1, 2, 3}).placed({{{0, 0, 0}, {2, 0, 0}, {3, 1, 0}, {1, 1, 0}}});
   const PatchBound<3> bound(placed);
   const PatchParameters<3> inside = bound.start(placed.at({0.3, 0.8}) + Vec<3>{0, 0, 5});

@@ -39,7 +39,7 @@ TEST(PlacedSurfaceTest, FindsTheNearestOfAllSegmentsAndTheSide) {
     const PlacedSurface<2> curves(ring.patches, ring.x);
     for (int i = 0; i < 500; ++i) {
       const Vec<2> place{number(random), number(random)};
-      const SurfaceFoot<2> foot = curves.nearest(place);
+      const SurfaceProjection<2> projection = curves.nearest(place);
       double least = HUGE_VAL;
       int winding_half_turns = 0;
       for (int k = 0; k < sides; ++k) {
@@ -51,13 +51,13 @@ TEST(PlacedSurfaceTest, FindsTheNearestOfAllSegmentsAndTheSide) {
           if ((a[1] > 0) != (b[1] > 0) && a[0] + (b[0] - a[0]) * a[1] / (a[1] - b[1]) > 0) ++winding_half_turns;
         }
       }
-      EXPECT_NEAR(std::abs(foot.gap), least, 1e-14);
+      EXPECT_NEAR(std::abs(projection.gap), least, 1e-14);
       if (least > 1e-2) {
-        EXPECT_EQ(foot.gap < 0, winding_half_turns % 2 == 1);
+        EXPECT_EQ(projection.gap < 0, winding_half_turns % 2 == 1);
       }
-      EXPECT_NEAR(length(foot.normal), 1, 1e-12);
-      const SurfaceFoot<2> near = curves.nearest(place, 0.5);
-      EXPECT_EQ(near.patch, least < 0.5 ? foot.patch : -1);
+      EXPECT_NEAR(length(projection.normal), 1, 1e-12);
+      const SurfaceProjection<2> near = curves.nearest(place, 0.5);
+      EXPECT_EQ(near.patch, least < 0.5 ? projection.patch : -1);
     }
   }
 }
@@ -129,7 +129,8 @@ TEST(PlacedSurfaceTest, AGuessChangesNothing) {
   for (int i = 0; i < 60; ++i) {
     const double angle = 0.1 * i;
     const Vec<2> place{(3.2 + 0.05 * i) * std::cos(angle), (3.2 + 0.05 * i) * std::sin(angle)};
-    const SurfaceFoot<2> plain = curves.nearest(place), guessed = curves.nearest(place, 100, {(7 * i) % sides, {}});
+    const SurfaceProjection<2> plain = curves.nearest(place),
+                               guessed = curves.nearest(place, 100, {(7 * i) % sides, {}});
     EXPECT_EQ(plain.patch, guessed.patch);
     EXPECT_EQ(plain.gap, guessed.gap);
     EXPECT_EQ(plain.xi, guessed.xi);
@@ -138,14 +139,15 @@ TEST(PlacedSurfaceTest, AGuessChangesNothing) {
 
 /// Before a sphere of patches: distances to the sphere within its sag, and signs.
 template <std::size_t D>
-void expect_equal(const SurfaceFoot<D>& one, const SurfaceFoot<D>& other) {
+void expect_equal(const SurfaceProjection<D>& one, const SurfaceProjection<D>& other) {
   EXPECT_EQ(one.patch, other.patch);
   EXPECT_EQ(one.gap, other.gap);
   EXPECT_EQ(one.xi, other.xi);
 }
 
-/// Among patches near a ball, of a surface of these alone, a place in the ball has the same foot as of all patches.
-TEST(PlacedSurfaceTest, FewPatchesGiveTheFeetOfAll) {
+/// Among patches near a ball, of a surface of these alone, a place in the ball has the same closest point as of all
+/// patches.
+TEST(PlacedSurfaceTest, FewPatchesGiveTheProjectionsOfAll) {
   const test::SpherePatches sphere(1, 6, Smoothing::CatmullRom);
   const PlacedSurface<3> all(sphere.patches(), sphere.x);
   std::mt19937 random(2);
@@ -169,21 +171,22 @@ TEST(PlacedSurfaceTest, FewPatchesGiveTheFeetOfAll) {
     for (int k = 0; k < 20; ++k) {
       const Vec<3> way{number(random), number(random), number(random)};
       const Vec<3> place = center + radius / std::max(1.0, length(way)) * way;
-      const SurfaceFoot<3> foot = all.nearest(place, range);
-      expect_equal(some.nearest_among(near, place, range), foot);
-      expect_equal(some.nearest_among(reduced, place, range, {reduced.empty() ? -1 : reduced.back(), {}}), foot);
-      const SurfaceFoot<3> beside = all.nearest(place + Vec<3>{1e-3, -2e-3, 1e-3}, range);
-      const SurfaceFoot<3> started = some.nearest_among(reduced, place, range, {beside.patch, beside.xi});
-      EXPECT_EQ(started.patch < 0, foot.patch < 0);
-      if (foot.patch >= 0) {
-        EXPECT_NEAR(started.gap, foot.gap, 1e-14);
+      const SurfaceProjection<3> projection = all.nearest(place, range);
+      expect_equal(some.nearest_among(near, place, range), projection);
+      expect_equal(some.nearest_among(reduced, place, range, {reduced.empty() ? -1 : reduced.back(), {}}), projection);
+      const SurfaceProjection<3> beside = all.nearest(place + Vec<3>{1e-3, -2e-3, 1e-3}, range);
+      const SurfaceProjection<3> started = some.nearest_among(reduced, place, range, {beside.patch, beside.xi});
+      EXPECT_EQ(started.patch < 0, projection.patch < 0);
+      if (projection.patch >= 0) {
+        EXPECT_NEAR(started.gap, projection.gap, 1e-14);
       }
     }
   }
   EXPECT_LT(2 * after, before);
 }
 
-/// All other patches are farther than the foot by its lead, and without a foot all are out of range by it.
+/// All other patches are farther than the closest point by its lead, and without a closest point all are out of range
+/// by it.
 TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
   const test::SpherePatches sphere(1, 6, Smoothing::CatmullRom);
   const PlacedSurface<3> all(sphere.patches(), sphere.x);
@@ -198,23 +201,24 @@ TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
     std::vector<int> few;
     all.reduce(near, place, 0, range, slack, few);
     const std::vector<int> fewer = all.reduced(place, 0, range, slack);
-    for (const SurfaceFoot<3>& foot :
+    for (const SurfaceProjection<3>& projection :
          {all.nearest_among(few, place, range, {}, slack),
           all.nearest_among(fewer, place, range, {few.empty() ? -1 : few.back(), {}}, slack)}) {
-      EXPECT_GE(foot.lead, 0);
-      EXPECT_LE(foot.lead, slack);
-      leads += foot.lead > 0.01 ? 1 : 0;
-      out += foot.patch < 0 ? 1 : 0;
+      EXPECT_GE(projection.lead, 0);
+      EXPECT_LE(projection.lead, slack);
+      leads += projection.lead > 0.01 ? 1 : 0;
+      out += projection.patch < 0 ? 1 : 0;
       for (std::size_t p = 0; p < sphere.patches().size(); ++p) {
         const int patch = static_cast<int>(p);
-        if (patch == foot.patch) continue;
+        if (patch == projection.patch) continue;
         const PlacedPatch<3>& placed = all.patch(patch);
         const double distance =
             nearest_point(placed, sphere.patches()[p].smooth, place, PatchBound<3>(placed).start(place)).distance;
-        EXPECT_GE(distance, (foot.patch < 0 ? range : std::abs(foot.gap)) + foot.lead - 1e-12);
+        EXPECT_GE(distance, (projection.patch < 0 ? range : std::abs(projection.gap)) + projection.lead - 1e-12);
       }
-      if (foot.patch >= 0) {
-        EXPECT_NEAR(all.nearest_on({foot.patch, PatchParameters<3>{0.5, 0.5}}, place, range).gap, foot.gap, 1e-14);
+      if (projection.patch >= 0) {
+        EXPECT_NEAR(all.nearest_on({projection.patch, PatchParameters<3>{0.5, 0.5}}, place, range).gap, projection.gap,
+                    1e-14);
       }
     }
   }
@@ -232,16 +236,16 @@ TEST(PlacedSurfaceTest, BeforeASphereGapsAreThoseOfTheSphere) {
     for (int i = 0; i < 300; ++i) {
       Vec<3> place{number(random), number(random), number(random)};
       place = (5 + 0.6 * number(random)) / length(place) * place;
-      const SurfaceFoot<3> foot = placed.nearest(place);
-      worst = std::max(worst, std::abs(foot.gap - (length(place) - 5)));
-      EXPECT_NEAR(length(foot.normal), 1, 1e-12);
-      EXPECT_GT(inner(foot.normal, place), 0.97 * length(place));
+      const SurfaceProjection<3> projection = placed.nearest(place);
+      worst = std::max(worst, std::abs(projection.gap - (length(place) - 5)));
+      EXPECT_NEAR(length(projection.normal), 1, 1e-12);
+      EXPECT_GT(inner(projection.normal, place), 0.97 * length(place));
       double least = HUGE_VAL;
       for (int k = 0; k < static_cast<int>(sphere.patches().size()); ++k)
         least = std::min(least, nearest_point(placed.patch(k), sphere.patches()[static_cast<std::size_t>(k)].smooth,
                                               place, PatchBound<3>(placed.patch(k)).start(place))
                                     .distance);
-      EXPECT_NEAR(std::abs(foot.gap), least, 1e-14);
+      EXPECT_NEAR(std::abs(projection.gap), least, 1e-14);
     }
     // Sides of about 1: bilinear patches sag by h^2/(4 R). Smooth ones are of third order at the cube's corners.
     EXPECT_LT(worst, smoothing == Smoothing::None ? 0.06 : 0.01);
@@ -253,10 +257,10 @@ TEST(PlacedSurfaceTest, EdgesAndCornersOfACube) {
   const test::CubePatches cube;  // of side 2 about the origin
   const PlacedSurface<3> placed(cube.surface.patches, cube.x);
   const auto expect = [&](const Vec<3>& place, double gap, const Vec<3>& normal, int fixed) {
-    const SurfaceFoot<3> foot = placed.nearest(place);
-    EXPECT_NEAR(foot.gap, gap, 1e-14);
-    EXPECT_NEAR(length(foot.normal - (1 / length(normal)) * normal), 0, 1e-14);
-    EXPECT_EQ(foot.fixed[0] + foot.fixed[1], fixed);
+    const SurfaceProjection<3> projection = placed.nearest(place);
+    EXPECT_NEAR(projection.gap, gap, 1e-14);
+    EXPECT_NEAR(length(projection.normal - (1 / length(normal)) * normal), 0, 1e-14);
+    EXPECT_EQ(projection.fixed[0] + projection.fixed[1], fixed);
   };
   expect({0.3, 0.2, 1.5}, 0.5, {0, 0, 1}, 0);
   expect({0.3, 1.3, 1.4}, 0.5, {0, 3, 4}, 1);

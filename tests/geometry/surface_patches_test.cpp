@@ -104,11 +104,11 @@ void expect_joins(const Surface& surface, double& smooth_sides, double& kink) {
         xi[side / 2] = side % 2 == 0 ? 0 : 1;
         xi[1 - side / 2] = t;
         const PlacedPatch<3>& own = placed.patch(static_cast<int>(p));
-        const PatchFoot<3> foot =
+        const PatchProjection<3> projection =
             nearest_point(placed.patch(other), surface.patches()[static_cast<std::size_t>(other)].smooth, own.at(xi),
                           PatchBound<3>(placed.patch(other)).start(own.at(xi)));
-        EXPECT_NEAR(foot.distance, 0, 1e-12);
-        const double cosine = inner(own.normal(xi), placed.patch(other).normal(foot.xi));
+        EXPECT_NEAR(projection.distance, 0, 1e-12);
+        const double cosine = inner(own.normal(xi), placed.patch(other).normal(projection.xi));
         if (patch.smooth[side])
           EXPECT_NEAR(cosine, 1, 1e-12);
         else

@@ -1,4 +1,5 @@
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 
 namespace ixos {
 namespace {

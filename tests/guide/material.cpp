@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "material/catalogue.hpp"
+#include "material/elastic_law.hpp"
 #include "material/strain.hpp"
 #include "parameters/range_validator.hpp"
 

@@ -1,3 +1,4 @@
+#include "interaction/obstacle.hpp"
 #include "interaction/catalogue.hpp"
 
 namespace ixos {

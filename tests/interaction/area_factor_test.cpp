@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "interaction/damage_law.hpp"
+#include "interaction/gap_law.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "support/derivative.hpp"
 #include "support/refusal.hpp"

@@ -7,6 +7,8 @@
 
 #include "fem/quadrature.hpp"
 #include "interaction/area_factor.hpp"
+#include "interaction/gap_law.hpp"
+#include "interaction/obstacle.hpp"
 #include "support/catalogue_walk.hpp"
 #include "support/derivative.hpp"
 #include "support/obstacle_geometry.hpp"
@@ -194,7 +196,8 @@ class ObstacleTest : public testing::TestWithParam<std::tuple<std::string, std::
     x[axis] += step;
     return x;
   }
-  /// Returns a tolerance for second derivatives. Where a search found the foot, they are those before its last step.
+  /// Returns a tolerance for second derivatives. Where a search found the closest point, they are those before its last
+  /// step.
   double bend_tolerance() const { return std::isfinite(obstacle_->reach()) ? 1e-8 : 1e-10; }
   std::size_t dimension_;
   Teuchos::ParameterList list_;

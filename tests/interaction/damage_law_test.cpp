@@ -6,6 +6,7 @@
 #include <random>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "support/derivative.hpp"
 #include "support/refusal.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "interaction/damage_law.hpp"
 #include "interaction/van_der_waals.hpp"
 
 namespace ixos {
@@ -90,12 +91,49 @@ TEST(GapLawTest, TheWorkOfAdhesionIsTheDepthOfThePotential) {
   EXPECT_EQ(work_of_adhesion(*gap_law(Spring())), 0);
 }
 
-TEST(GapLawTest, KernelsSeeTheSameLaw) {
-  expect_same(AnyGapLaw(gap_law(Spring())), Spring());
-  expect_same(AnyGapLaw(gap_law(van_der_waals)), van_der_waals);
-  EXPECT_EQ(AnyGapLaw(gap_law(Spring())).domain, GapDomain::All);
-  EXPECT_EQ(AnyGapLaw(gap_law(van_der_waals)).domain, GapDomain::Positive);
-  EXPECT_EQ(AnyGapLaw(gap_law(Spring())).range(), 3);
+// The tractions of many points together are those of single points.
+TEST(GapLawTest, ManyPointsGetTheSameLaw) {
+  const DamageLaw damage(0.5, 0.05, 0.8);
+  const Pack from[] = {gaps(0.07), gaps(0.3), gaps(0.9)}, to[] = {gaps(0.13), gaps(0.25), gaps(0.95)};
+  const Pack history[] = {Pack(0.2), Pack(0.4), Pack(0.3)};
+  const GapEnds<Pack> ends{3, to, from, nullptr};
+  for (const Rule& rule : {end_rule(), gauss_rule(3), exact_rule()})
+    for (const bool past : {false, true}) {
+      const auto law = past ? gap_law(damage) : gap_law(van_der_waals);
+      const Pack* const kept = past ? history : nullptr;
+      Pack t[3], k[3], least_gap(1e300);
+      EXPECT_TRUE(law->tractions(ends, rule, kept, t, least_gap));
+      EXPECT_TRUE(law->stiffnesses(ends, rule, false, kept, k));
+      for (std::size_t q = 0; q < 3; ++q) {
+        const Pack* const own = past ? history + q : nullptr;
+        Pack traction(0.0), stiffness(0.0);
+        for (const RulePoint& point : rule.points) {
+          const Pack r = point.from * from[q] + point.to * to[q];
+          traction += point.weight * law->traction(r, own);
+          stiffness += point.weight * point.to * law->stiffness(r, own);
+        }
+        if (rule.mean != Mean::Points) {
+          traction += law->mean_traction(from[q], to[q], own);
+          stiffness += law->mean_stiffness(from[q], to[q], own);
+        }
+        for (std::size_t i = 0; i < Pack::size(); ++i) {
+          EXPECT_NEAR(lane(t[q], i), lane(traction, i), 1e-14 * std::abs(lane(traction, i))) << q;
+          EXPECT_NEAR(lane(k[q], i), lane(stiffness, i), 1e-13 * std::abs(lane(stiffness, i))) << q;
+        }
+      }
+    }
+}
+
+// Beyond its range a law does nothing, at some points or at all.
+TEST(GapLawTest, PointsOutOfRangeHaveNoTraction) {
+  const auto law = gap_law(Spring());
+  const Pack gaps_of[] = {Pack(1.0), Pack(4.0)};
+  Pack t[2], k[2], least_gap(1e300);
+  EXPECT_TRUE(law->tractions({2, gaps_of}, end_rule(), nullptr, t, least_gap));
+  EXPECT_EQ(lane(t[1], 0), 0);
+  EXPECT_EQ(lane(least_gap, 0), 1) << "of points in range";
+  EXPECT_FALSE(law->tractions({1, gaps_of + 1}, end_rule(), nullptr, t, least_gap));
+  EXPECT_FALSE(law->stiffnesses({1, gaps_of + 1}, end_rule(), false, nullptr, k));
 }
 
 TEST(GapLawTest, TheRangeIsThatOfTheLaw) {
@@ -138,18 +176,6 @@ TEST(GapLawTest, ANewRangeReplacesTheOldOne) {
       EXPECT_EQ(twice->energy(r)[0], once->energy(r)[0]) << r;
     }
   }
-}
-
-TEST(GapLawTest, KernelsKeepTheLawAlive) {
-  auto law = gap_law(Spring());
-  const std::weak_ptr<const GapLaw> watch = law;
-  {
-    const AnyGapLaw kept(law);
-    law.reset();
-    EXPECT_FALSE(watch.expired());
-    EXPECT_EQ(kept.traction(0.5)[0], -4);
-  }
-  EXPECT_TRUE(watch.expired());
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ double distance(double amplitude, double x, double z) {
   return std::sqrt(square(best));
 }
 
-// Slopes up to 5, beyond the reach, too: the nearest foot is in the half wave of the point.
+// Slopes up to 5, beyond the reach, too: the projection of a point is in the half wave of the point.
 TEST(GraphObstacleTest, TheGapToOneWaveIsTheDistanceEverywhere) {
   for (double slope : {0.1, 0.39, 1.0, 2.0, 5.0}) {
     const double amplitude = slope / k;

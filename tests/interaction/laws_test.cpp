@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos {

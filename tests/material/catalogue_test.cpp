@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "material/elastic_law.hpp"
 #include "support/catalogue_walk.hpp"
 #include "support/derivative.hpp"
 

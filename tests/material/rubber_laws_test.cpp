@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "material/catalogue.hpp"
+#include "material/elastic_law.hpp"
 
 namespace ixos {
 namespace {

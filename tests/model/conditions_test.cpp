@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "embedding/semi_discrete_evaluator.hpp"
+#include "interaction/gap_law.hpp"
+#include "interaction/half_space.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "model/surface_interaction.hpp"

@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/friction_law.hpp"
+#include "interaction/gap_law.hpp"
+#include "interaction/half_space.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "material/lame.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos {

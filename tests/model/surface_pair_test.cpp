@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "support/reports.hpp"
 #include "support/two_bodies.hpp"

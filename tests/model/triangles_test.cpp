@@ -6,6 +6,7 @@
 
 #include "balance/balance.hpp"
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"

@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
+#include "interaction/obstacle.hpp"
 #include "material/catalogue.hpp"
+#include "material/elastic_law.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos {

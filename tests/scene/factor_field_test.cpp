@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "interaction/gap_law.hpp"
 #include "io/exodus_mesh.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "interaction/gap_law.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/placement.hpp"
 #include "scene/simulation.hpp"

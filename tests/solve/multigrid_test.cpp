@@ -253,7 +253,7 @@ TEST(LinearSolverDefaultsSerialTest, SmallCompactBodiesHaveTwoLevels) {
     ProblemSize size{3, dofs, ranks};
     size.width = width;
     size.quadratic = cells == Cells::Quadratic;
-    size.halved = cells == Cells::WithParents;
+    size.refined = cells == Cells::WithParents;
     size.stiffness = stiffness;
     size.aspect = aspect;
     const auto list = completed_linear_solver({}, size);
@@ -270,8 +270,8 @@ TEST(LinearSolverDefaultsSerialTest, SmallCompactBodiesHaveTwoLevels) {
   EXPECT_EQ(choice(5000, 300, 1, Cells::WithParents), "Two-Level Matrix-Free");
   EXPECT_EQ(choice(4999, 300, 1, Cells::WithParents), "Direct Assembled");
   EXPECT_EQ(choice(14739, 289, 1, Cells::WithParents, 1e300, 10), "Direct Assembled") << "long cells";
-  EXPECT_TRUE(may_use_parents({}, 3, 5000, 1));
-  EXPECT_FALSE(may_use_parents({}, 3, 4999, 1));
+  EXPECT_TRUE(may_use_coarse_cells({}, 3, 5000, 1));
+  EXPECT_FALSE(may_use_coarse_cells({}, 3, 4999, 1));
   EXPECT_EQ(choice(14739, 289, 1, Cells::Linear), "Direct Assembled");
   EXPECT_EQ(choice(4800, 300, 2), "Direct Assembled") << "two ranks";
   EXPECT_EQ(choice(2000, 90), "None Assembled");

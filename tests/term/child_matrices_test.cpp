@@ -1,4 +1,4 @@
-// Matrices of children on their parents' corners: those of a lumped mass add up to P^T D P.
+// Matrices of fine cells on their coarse cells' corners: those of a lumped mass add up to P^T D P.
 #include "term/child_matrices.hpp"
 
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 #include "fem/corner_element.hpp"
 #include "fem/reference_elements.hpp"
 #include "mesh/generators/shapes.hpp"
-#include "mesh/halving.hpp"
 #include "mesh/partition.hpp"
+#include "mesh/refinement.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -46,7 +46,7 @@ void expect_lumped_mass() {
   const Mesh mesh = box(shape);
   const std::vector<int> owner = partition_nodes(mesh, comm->getSize());
   LocalMesh part = localize(mesh, owner, comm->getRank(), comm->getSize());
-  add_parents(mesh, owner, comm->getRank(), comm->getSize(), part);
+  add_coarse_cells(mesh, owner, comm->getRank(), comm->getSize(), part);
   const DofSpace space(part, comm);
   const CoarseSpace coarse(part, space, {});
   const LocalBlock& block = part.blocks.front();

@@ -38,7 +38,8 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 namespace ixos {
 namespace {
 
-/// Returns how often a Newton iteration takes memory after three others, in which feet move and nodes are as near.
+/// Returns how often a Newton iteration takes memory after three others, in which closest points move and nodes are as
+/// near.
 long taken(const test::PairOfBodies& bodies, const Rule& rule) {
   const std::vector<double> from = test::at_rest(*bodies.model), way = test::smooth_field(*bodies.model, 0.02);
   std::vector<double> to = from, f(static_cast<std::size_t>(bodies.model->space().local()), 0.0),
@@ -79,7 +80,7 @@ TEST(PairMemoryTest, ANewtonIterationTakesNone) {
 long taken_by_a_step(Model& model) {
   test::ByHand<const Model> steps(model);
   const std::vector<double> way = test::smooth_field(model, 1e-5);
-  // No foot is on an edge, which the least motion could make it leave.
+  // No closest point is on an edge, which the least motion could make it leave.
   std::vector<double> from = test::smooth_field(model, 0.02), to = from, f(from.size(), 0.0),
                       values = test::no_values(model);
   const Rule rule = end_rule();

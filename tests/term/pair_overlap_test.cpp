@@ -215,7 +215,7 @@ TEST(PairOverlapTest, TheDiscreteGradientDoesTheWorkOfTheEnergy) {
 /// Every point that a search finds is the one that a search among all patches finds, as deep as the bodies go into each
 /// other, also with neighbours of a search at other places.
 template <std::size_t D>
-void expect_all_feet(const Mesh& bodies, const Vec<D>& way) {
+void expect_all_projections(const Mesh& bodies, const Vec<D>& way) {
   const LocalMesh mesh = localize(bodies, partition_nodes(bodies, 1), 0, 1, {"a_surface", "b_surface"});
   const auto surface = [&](const std::string& set) {
     return surface_patches<D>(mesh, mesh.whole_side_sets.at(set), Smoothing::CatmullRom, set);
@@ -237,23 +237,23 @@ void expect_all_feet(const Mesh& bodies, const Vec<D>& way) {
         const SurfacePatch<D>& patch = points.secondary().patches[s];
         for (std::size_t a = 0; a < patch.count; ++a)
           place = place + points.weights(own)[a] * places.front().secondary[static_cast<std::size_t>(patch.nodes[a])];
-        const SurfaceFoot<D> expected = primary.nearest(place);
+        const SurfaceProjection<D> expected = primary.nearest(place);
         const PairContact<D>* const contact = found->front().find(s, q);
         if (expected.gap < range - 1e-12) {
-          ASSERT_TRUE(contact != nullptr && contact->foot.patch >= 0) << share << " " << expected.gap;
-          EXPECT_NEAR(contact->foot.gap, expected.gap, 1e-12);
+          ASSERT_TRUE(contact != nullptr && contact->projection.patch >= 0) << share << " " << expected.gap;
+          EXPECT_NEAR(contact->projection.gap, expected.gap, 1e-12);
           deep += expected.gap < -2 * range ? 1 : 0;
         } else if (expected.gap > range + 1e-12 && contact != nullptr) {
-          EXPECT_LT(contact->foot.patch, 0);
+          EXPECT_LT(contact->projection.patch, 0);
         }
       }
   }
   EXPECT_GT(deep, 20U);
 }
 
-TEST(PairOverlapSerialTest, SearchesFindTheFeetOfDeepPoints) {
-  expect_all_feet<2>(test::two_disks(3, {6.2, 1}, 8, 2), {3, 0.4});
-  expect_all_feet<3>(test::two_balls(2, {2.4, 2, 2.9}), {1, 1, 1});
+TEST(PairOverlapSerialTest, SearchesFindTheProjectionsOfDeepPoints) {
+  expect_all_projections<2>(test::two_disks(3, {6.2, 1}, 8, 2), {3, 0.4});
+  expect_all_projections<3>(test::two_balls(2, {2.4, 2, 2.9}), {1, 1, 1});
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
+#include "interaction/half_space.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/local_mesh.hpp"

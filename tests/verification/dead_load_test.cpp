@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
 #include "support/obstacle_geometry.hpp"

@@ -102,7 +102,7 @@ struct Sphere {
 double pull_off_of_spheres(double first, double second, double growth) {
   const Sphere lower(first, 8, growth, 1), upper(second, 8, growth, -1);
   const PairSurfaces<3> surfaces{lower.patches, upper.patches};
-  const DensePairs<3> pairs(surfaces, PairKernel<3>(powers_of(*gap_law(VanDerWaals(2.5, 25)))), 5);
+  const DensePairs<3> pairs(surfaces, PairKernel<3>(gap_law(VanDerWaals(2.5, 25))->powers()), 5);
   const std::vector<char> all(lower.patches.patches.size(), 1);
   return largest_attraction([&](double gap) {
     PairPlaces<3> places{lower.places, upper.places};
@@ -145,7 +145,7 @@ double pull_off_of_smooth_balls(int core, int points) {
   const auto force = [&](const PairSurfaces<3>& surfaces, int on_a_side, double gap) {
     PairPlaces<3> places = rest;
     for (Vec<3>& x : places.primary) x[2] += gap - 0.2;
-    const DensePairs<3> pairs(surfaces, PairKernel<3>(powers_of(*gap_law(VanDerWaals(2.5, 25)))), on_a_side);
+    const DensePairs<3> pairs(surfaces, PairKernel<3>(gap_law(VanDerWaals(2.5, 25))->powers()), on_a_side);
     return pairs.force(places, std::vector<char>(surfaces.secondary.patches.size(), 1))[2];
   };
   const double far = force(whole, 4, 0.26) - force(caps, 4, 0.26);

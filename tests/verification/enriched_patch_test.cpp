@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "discretization/nodal_measure.hpp"
+#include "material/elastic_law.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/selection.hpp"

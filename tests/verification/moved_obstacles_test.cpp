@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
+#include "interaction/half_space.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "model/conditions.hpp"

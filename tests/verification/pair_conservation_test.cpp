@@ -50,8 +50,8 @@ TEST(PairConservationLongTest, EnergyMomentumKeepsEnergyAndBothMomenta) {
   expect_all_kept(errors_of("balls", scheme, test::two_balls(3, {6.1, 1.9, 1.5}, 3, 1), 0.001, many));
 }
 
-/// Two disks of 64 sides each attract each other from rest. The feet of many points roll.
-TEST(PairConservationTest, EnergyMomentumTakesFeetThatRoll) {
+/// Two disks of 64 sides each attract each other from rest. The closest points of many points roll.
+TEST(PairConservationTest, EnergyMomentumTakesProjectionsThatRoll) {
   Collision collision("Energy-Momentum", 0.0005, "", "", test::two_disks(2, {0.3, 4.4}, 16), "b_surface", "a_surface");
   Simulation& simulation = collision.simulation();
   const std::vector<double> rest = test::at_rest(simulation.model());
@@ -64,8 +64,8 @@ TEST(PairConservationTest, EnergyMomentumTakesFeetThatRoll) {
   }
 }
 
-/// On curves of Catmull-Rom the power of a force has a kink where its foot crosses a node, on splines it has none. With
-/// the cutoff, points that are as near to two parts of a ring do not act.
+/// On curves of Catmull-Rom the power of a force has a kink where its closest point crosses a node, on splines it has
+/// none. With the cutoff, points that are as near to two parts of a ring do not act.
 TEST(PairConservationLongTest, TheAverageVectorFieldKeepsEnergyAndLinearMomentum) {
   const char* scheme = "Average Vector Field";
   const Mesh rings = test::two_rings(3, 2.2, {6.1, 2.4}, 32, 2), balls = test::two_balls(3, {6.1, 1.9, 1.5}, 3, 1);

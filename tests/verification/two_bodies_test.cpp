@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interaction/gap_law.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"

@@ -2,6 +2,7 @@
 
 #include "interaction/catalogue.hpp"
 #include "interaction/damage_law.hpp"
+#include "interaction/gap_law.hpp"
 #include "interaction/law_parameters.hpp"
 
 namespace ixos {

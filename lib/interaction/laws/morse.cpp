@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "interaction/law_parameters.hpp"
 #include "interaction/mean_functions.hpp"
 

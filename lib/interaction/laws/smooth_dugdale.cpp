@@ -1,4 +1,5 @@
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "interaction/law_parameters.hpp"
 #include "interaction/piecewise_law.hpp"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 
 namespace ixos {
 namespace {

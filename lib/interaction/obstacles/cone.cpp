@@ -3,6 +3,7 @@
 #include "base/vector3.hpp"
 #include "interaction/catalogue.hpp"
 #include "interaction/direction.hpp"
+#include "interaction/obstacle.hpp"
 
 namespace ixos {
 namespace {

@@ -2,6 +2,7 @@
 
 #include "interaction/catalogue.hpp"
 #include "interaction/direction.hpp"
+#include "interaction/obstacle.hpp"
 
 namespace ixos {
 namespace {

@@ -9,8 +9,8 @@
 namespace ixos {
 namespace {
 
-/// h = sum_i A_i cos(k_i a_i). Crests and troughs are planes of symmetry, so the nearest foot is in the half wave of
-/// the point: on the other side of such a plane, its mirror image is nearer.
+/// h = sum_i A_i cos(k_i a_i). Crests and troughs are planes of symmetry, so the projection of a point is in the half
+/// wave of the point: on the other side of such a plane, its mirror image is nearer.
 template <std::size_t M>
 class Waves {
  public:

@@ -1,4 +1,5 @@
 #include "material/catalogue.hpp"
+#include "material/elastic_law.hpp"
 #include "material/isochoric_law.hpp"
 #include "material/laws/compressibility.hpp"
 #include "material/log_series.hpp"

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "material/catalogue.hpp"
+#include "material/elastic_law.hpp"
 #include "material/laws/compressibility.hpp"
 #include "material/mooney_rivlin.hpp"
 #include "material/strain_law.hpp"

@@ -1,6 +1,7 @@
 #include "material/neo_hooke.hpp"
 
 #include "material/catalogue.hpp"
+#include "material/elastic_law.hpp"
 
 namespace ixos {
 

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "material/catalogue.hpp"
+#include "material/elastic_law.hpp"
 #include "material/laws/compressibility.hpp"
 #include "material/ogden_law.hpp"
 #include "material/strain_law.hpp"

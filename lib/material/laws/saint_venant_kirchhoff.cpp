@@ -1,4 +1,5 @@
 #include "material/catalogue.hpp"
+#include "material/elastic_law.hpp"
 #include "material/hooke.hpp"
 #include "material/strain.hpp"
 

@@ -7,6 +7,9 @@
 #include <optional>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
+#include "interaction/obstacle.hpp"
+#include "material/elastic_law.hpp"
 #include "mesh/selection.hpp"
 #include "scene/read/mesh_parts.hpp"
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "interaction/gap_law.hpp"
 #include "scene/read/interactions.hpp"
 #include "scene/read/maxwell_branches.hpp"
 #include "time/compatibility.hpp"

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "interaction/gap_law.hpp"
+#include "material/elastic_law.hpp"
 #include "material/lame.hpp"
 #include "mesh/layers.hpp"
 #include "mesh/quality.hpp"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "interaction/gap_law.hpp"
+
 namespace ixos {
 
 double fall_of_attraction(const GapLaw& law) {

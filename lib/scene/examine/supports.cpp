@@ -12,6 +12,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/vector3.hpp"
 #include "interaction/catalogue.hpp"
+#include "interaction/obstacle.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/free_motions.hpp"
 #include "mesh/selection.hpp"

@@ -19,7 +19,7 @@ std::string material_of(const std::string& block, const SceneNode& scene, const 
 
 /// Returns what makes the tangent of an interaction unsymmetric for a rule.
 std::string asymmetry_of(const NamedInteraction& named, const Rule& rule, const SceneNode& scene) {
-  const std::string interaction = "Interactions/" + named.name;
+  std::string interaction = "Interactions/" + named.name;
   Interaction& term = *named.term;
   if (term.has_friction())
     return !term.is_gradient(end_rule()) ? interaction + "/Friction/Threshold \"Current\""

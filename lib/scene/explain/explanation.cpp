@@ -7,6 +7,8 @@
 
 #include "base/pack.hpp"
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
+#include "material/elastic_law.hpp"
 #include "model/surface_interaction.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "scene/explain/left_out.hpp"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "interaction/friction_law.hpp"
+#include "interaction/gap_law.hpp"
 #include "parameters/range_validator.hpp"
 
 namespace ixos {

@@ -1,11 +1,14 @@
 /// Friction of a scene's interactions.
 #pragma once
+#include <memory>
 #include <string>
 
-#include "interaction/friction_law.hpp"
+#include "interaction/friction.hpp"
 #include "parameters/options.hpp"
 
 namespace ixos {
+
+class GapLaw;
 
 /// Returns the parameters of a list "Friction".
 const Options<Friction>& friction_options();

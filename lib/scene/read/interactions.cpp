@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "interaction/catalogue.hpp"
+#include "interaction/friction_law.hpp"
 #include "interaction/pair_kernel.hpp"
 #include "io/exodus_mesh.hpp"
 #include "mesh/enrichment/contact_elements.hpp"

@@ -22,8 +22,8 @@ class OperatorPreconditioner;
 /// list, "Linear Solver Types/Direct", has the one entry "Solver Type" (see make_factorization). Preconditioners are
 /// MueLu's (null space and coordinates are given to it), Ifpack2's and three of Ixos: "Direct", a factorisation with
 /// the same list, "Chebyshev" (see ChebyshevPreconditionerFactory) and "Two-Level", for matrix-free tangents of
-/// quadratic cells or linear ones with parents (see TwoLevelPreconditionerFactory). They outlive the matrix that they
-/// were made from, as the list "Reuse" says: its "Setup Cost" is the price of a new preconditioner in Krylov
+/// quadratic cells or linear ones with coarse cells (see TwoLevelPreconditionerFactory). They outlive the matrix that
+/// they were made from, as the list "Reuse" says: its "Setup Cost" is the price of a new preconditioner in Krylov
 /// iterations, 0 renews it for every matrix (see LaggedSolverFactory). "Operator" is "Assembled" or "Matrix-Free": then
 /// a matrix is made only for a new preconditioner.
 class LinearSolverFactory {

@@ -86,7 +86,7 @@ bool prefers_two_levels(const ProblemSize& size) {
 
 /// Whether the cycle of two levels is possible, and better than a matrix.
 bool suits_two_levels(const ProblemSize& size) {
-  return (size.quadratic || size.halved) && size.fine_only.empty() && size.asymmetry.empty() &&
+  return (size.quadratic || size.refined) && size.fine_only.empty() && size.asymmetry.empty() &&
          size.matrix_only.empty() && size.dimension == 3 &&
          (!factorize_on_first_rank(size) || prefers_two_levels(size));
 }
@@ -269,7 +269,7 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
 }  // namespace
 
 void require_coarse_cells(const ProblemSize& size) {
-  if (!size.quadratic && !size.halved)
+  if (!size.quadratic && !size.refined)
     refuse_two_level(
         "a mesh of quadratic cells, or of linear ones that halve larger cells in each direction without enriched "
         "sides, and this one has linear cells that do not");
@@ -281,7 +281,7 @@ void require_coarse_terms(const ProblemSize& size) {
                      size.fine_only + " does not offer");
 }
 
-bool may_use_parents(const ParameterList& user, int dimension, long long dofs, int ranks) {
+bool may_use_coarse_cells(const ParameterList& user, int dimension, long long dofs, int ranks) {
   if (!user.isType<std::string>("Preconditioner Type")) {
     const bool may_be_preconditioned = !user.isType<std::string>("Linear Solver Type") ||
                                        user.get<std::string>("Linear Solver Type") == "Automatic" ||

@@ -16,7 +16,7 @@ struct ProblemSize {
   double aspect = 1;          ///< the largest aspect ratio of a cell, see MeshQuality
   double stiffness = 1e300;   ///< of the longest step: elastic forces to inertia in the tangent, the largest K_ii/M_ii
   bool quadratic = false;     ///< all cells are
-  bool halved = false;        ///< linear cells have parents, see Halving
+  bool refined = false;       ///< linear cells have coarse cells, see Refinement
   std::string fine_only{};    ///< what has no Galerkin product on coarse cells, in words; empty if all have one
 };
 
@@ -30,10 +30,10 @@ struct ProblemSize {
 /// - In 3D, from 2,000 on, if steps are short (a stiffness of at most 250), chooses CG with Chebyshev's polynomial,
 ///   without a matrix.
 /// - Compact bodies in 3D, with cells of an aspect ratio of at most 6, get the two-level cycle on one rank: those of
-///   quadratic cells from 2,000 on, those of linear cells that have parents from 5,000 on. A body is compact if it is
-///   up to five times as long as wide.
-/// - Large meshes in 3D of quadratic cells, or of linear ones that have parents, get the two-level cycle in place of
-///   MueLu, without a fine matrix. Its coarse matrix is factorised if that is cheap, else it gets MueLu.
+///   quadratic cells from 2,000 on, those of linear cells that have coarse cells from 5,000 on. A body is compact if it
+///   is up to five times as long as wide.
+/// - Large meshes in 3D of quadratic cells, or of linear ones that have coarse cells, get the two-level cycle in place
+///   of MueLu, without a fine matrix. Its coarse matrix is factorised if that is cheap, else it gets MueLu.
 /// - Large tangents in 3D are matrix-free. In 3D Band makes the factors that precondition CG to a width of 60 nodes, on
 ///   one rank MUMPS in single precision those of wider bodies.
 /// - If the list asks for Belos or MueLu, fills in its missing entries with settings that suit elasticity.
@@ -43,12 +43,12 @@ struct ProblemSize {
 /// that is not possible.
 Teuchos::ParameterList completed_linear_solver(const Teuchos::ParameterList& user, const ProblemSize& size);
 
-/// Returns whether completed_linear_solver() may use the parents of linear cells: a scene's list asks for them, or
+/// Returns whether completed_linear_solver() may use the coarse cells of linear cells: a scene's list asks for them, or
 /// leaves the choice.
-bool may_use_parents(const Teuchos::ParameterList& user, int dimension, long long dofs, int ranks);
+bool may_use_coarse_cells(const Teuchos::ParameterList& user, int dimension, long long dofs, int ranks);
 
-/// Throw InputError, for "Two-Level", if the mesh has neither quadratic cells nor parents, or if a term has no Galerkin
-/// product on coarse cells.
+/// Throw InputError, for "Two-Level", if the mesh has neither quadratic cells nor coarse cells, or if a term has no
+/// Galerkin product on coarse cells.
 void require_coarse_cells(const ProblemSize& size);
 void require_coarse_terms(const ProblemSize& size);
 

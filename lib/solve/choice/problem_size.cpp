@@ -27,8 +27,8 @@ ProblemSize problem_size(const Model& model) {
   size.ranks = model.space().comm()->getSize();
   size.width = model.mesh().level_width;
   size.quadratic = has_quadratic_cells(model.mesh());
-  size.halved = model.mesh().halving != nullptr;
-  if (size.quadratic || size.halved) size.fine_only = term_without_coarse(model);
+  size.refined = model.mesh().refinement != nullptr;
+  if (size.quadratic || size.refined) size.fine_only = term_without_coarse(model);
   if (has_viscosity(model)) size.asymmetry = size.matrix_only = "the viscosity";
   for (const NamedForceTerm& named : model.force_terms()) {
     const std::string name = "\"" + named.name + "\"";

@@ -3,12 +3,12 @@
 #include <Stratimikos_DefaultLinearSolverBuilder.hpp>
 #include <Teuchos_AbstractFactoryStd.hpp>
 #include <Thyra_Ifpack2PreconditionerFactory.hpp>
-#include <Thyra_MueLuPreconditionerFactory.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
 #include "solve/direct/direct_preconditioner.hpp"
 #include "solve/direct/direct_solver.hpp"
 #include "solve/iterative/chebyshev_preconditioner.hpp"
+#include "solve/loaded/muelu_factory.hpp"
 #include "solve/loaded/two_level_preconditioner.hpp"
 #include "solve/operator_preconditioner.hpp"
 #include "solve/thyra.hpp"
@@ -18,11 +18,18 @@ namespace {
 
 using SolverFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
 
+/// How Teuchos::AbstractFactoryStd makes MueLu's factory.
+struct MakeMueLu {
+  using ptr_t = Teuchos::RCP<PreconditionerFactory>;
+  ptr_t allocate() const { return make_muelu_factory(); }
+};
+
 class StratimikosBuilder final : public SolverBuilder {
  public:
   explicit StratimikosBuilder(const Teuchos::ParameterList& list) {
     builder_.setLinearSolveStrategyFactory(Teuchos::abstractFactoryStd<SolverFactory, DirectSolverFactory>(), "Direct");
-    add<Thyra::MueLuPreconditionerFactory<double, LocalId, GlobalId, Node>>("MueLu");
+    builder_.setPreconditioningStrategyFactory(
+        Teuchos::abstractFactoryStd<PreconditionerFactory, PreconditionerFactory>(MakeMueLu()), "MueLu");
     add<Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>("Ifpack2");
     add<DirectPreconditionerFactory>("Direct");
     add<ChebyshevPreconditionerFactory>("Chebyshev");

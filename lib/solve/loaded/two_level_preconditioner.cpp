@@ -1,9 +1,7 @@
 #include "solve/loaded/two_level_preconditioner.hpp"
 
-#include <MueLu_config.hpp>
 #include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <Thyra_DefaultLinearOpSource.hpp>
-#include <Thyra_MueLuPreconditionerFactory.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "solve/direct/direct_preconditioner.hpp"
 #include "solve/iterative/chebyshev_polynomial.hpp"
 #include "solve/iterative/rigid_body_modes.hpp"
+#include "solve/loaded/muelu_factory.hpp"
 #include "solve/operator_preconditioner.hpp"
 #include "solve/tpetra_preconditioner.hpp"
 
@@ -32,7 +31,7 @@ Teuchos::RCP<PreconditionerFactory> coarse_factory(const Teuchos::ParameterList&
   } else {
     own->set("Nullspace", rigid_body_modes(space.mesh(), space.space(), space.left_out()));
     own->set("Coordinates", node_coordinates(space.mesh(), space.space().comm()));
-    factory = Teuchos::rcp(new Thyra::MueLuPreconditionerFactory<double, LocalId, GlobalId, Node>);
+    factory = make_muelu_factory();
   }
   factory->setParameterList(own);
   return factory;

@@ -7,8 +7,8 @@
 namespace ixos {
 
 /// One cycle between the cells of an operator W and coarser linear cells, those on the corners of quadratic cells or
-/// the parents of linear ones (see CoarseSpace), for a CoarsenableOperator: no fine matrix is made. With Chebyshev's
-/// polynomial S of W as the smoother,
+/// the coarse cells of linear ones (see CoarseSpace), for a CoarsenableOperator: no fine matrix is made. With
+/// Chebyshev's polynomial S of W as the smoother,
 ///
 ///   I - B W = (I - S W) (I - P A^-1 P^T W) (I - S W),
 ///

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "interaction/gap_law.hpp"
 #include "study/common/tuning.hpp"
 
 namespace ixos {

@@ -55,6 +55,12 @@ struct BlockCells {
       for (std::size_t c = 0; c < N * D; ++c) rows[r / D][r % D] += std::experimental::abs(tangent[r][c]);
     batches.scatter_force(b, rows, sums);
   }
+  /// Adds the diagonal of a tangent.
+  void scatter_diagonal(std::size_t b, const CellTangent& tangent, double* diagonal) const {
+    Nodal values;
+    for (std::size_t r = 0; r < N * D; ++r) values[r / D][r % D] = tangent[r][r];
+    batches.scatter_diagonal(b, values, diagonal);
+  }
 
   ElementBatches<N, D> batches;
   typename Kernel::Table table;
@@ -79,24 +85,6 @@ class GatheredSegment {
  private:
   bool has_from_, has_velocity_;
   typename BlockCells<Kernel>::Nodal to_, from_, velocity_;
-};
-
-/// Gradients of a local array at the points of a batch.
-template <class Kernel>
-class CellGradients {
- public:
-  CellGradients(const BlockCells<Kernel>& cells, std::size_t b, const double* local)
-      : CellGradients(cells, b, cells.gathered(b, local)) {}
-  CellGradients(const BlockCells<Kernel>& cells, std::size_t b, const typename BlockCells<Kernel>::Nodal& values)
-      : geometry_(cells.geometry[b]), values_(values) {}
-
-  Small<Pack, Kernel::G> operator()(std::size_t q) const {
-    return Kernel::gradient(values_, Kernel::shape_gradients(geometry_, q));
-  }
-
- private:
-  const typename BlockCells<Kernel>::Geometry& geometry_;
-  typename BlockCells<Kernel>::Nodal values_;
 };
 
 }  // namespace ixos

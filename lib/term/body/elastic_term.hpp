@@ -7,15 +7,16 @@
 
 #include "base/symmetric_tensor.hpp"
 #include "discretization/pattern.hpp"
-#include "material/elastic_law.hpp"
 #include "mesh/local_mesh.hpp"
 #include "term/force_term.hpp"
 
 namespace ixos {
 
+class ElasticLaw;
+
 /// The element's energy. All of them are functions of the displacement alone.
 enum class Formulation {
-  Standard,        ///< ElasticKernel: locks if nearly incompressible, and in bending
+  Standard,        ///< of displacements alone: locks if nearly incompressible, and in bending
   MeanDilatation,  ///< DilatationKernel: cures the first, of all cell types
   Enhanced         ///< EnhancedKernel: cures both if pressures are moderate; linear cells, enriched ones stay Standard
 };
@@ -34,6 +35,10 @@ class Elasticity : public ForceTerm {
   Part part() const final { return Part::Elastic; }
   /// The factor of all moduli, 1 at first: stresses are proportional to it.
   std::vector<std::string> parameters() const final { return {"Modulus Factor"}; }
+  bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
+                                double* f) const final {
+    return add_factor_derivative(parameter, segment, rule, f);
+  }
   /// Adds the diagonal of the tangent at segment.to to a local array.
   virtual void add_diagonal(const Segment& segment, double* diagonal) const = 0;
   /// Fills in the fields of the block.
@@ -51,8 +56,7 @@ bool has_action(Formulation formulation);
 /// `points`: Gauss points a direction of elements that are not enriched, see cell_rule(), 0 for the element's own
 /// number; an enriched block gives its own number. Throws InputError for Enhanced quadratic cells. All but Standard
 /// accept no rule with Mean::DiscreteGradient, nor do laws without a discrete gradient; Enhanced needs two points or
-/// more. The laws neo_hooke() and linear_elastic() are compiled into the kernels, other laws are called once for each
-/// pack of quadrature points.
+/// more.
 std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                               const std::shared_ptr<const ElasticLaw>& law, int points = 0,
                                               Formulation formulation = Formulation::Standard);

@@ -3,47 +3,40 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "element/elastic_kernel.hpp"
-#include "element/moduli_action.hpp"
-#include "fem/with_element.hpp"
-#include "material/linear_elastic.hpp"
-#include "term/body/block_cells.hpp"
+#include "element/cell_means.hpp"
+#include "term/body/batch_ends.hpp"
+#include "term/body/body_cells.hpp"
 #include "term/body/branch_points.hpp"
 #include "term/body/kept_action.hpp"
 
 namespace ixos {
 namespace {
 
-template <class Element>
+template <class Space>
 class MaxwellTerm final : public Viscoelasticity {
-  using Kernel = ElasticKernel<Element, LinearElastic>;  // for its geometry; also that of rings
-  static constexpr std::size_t D = Kernel::D;
-  static constexpr std::size_t N = Kernel::N;
-  static constexpr std::size_t G = Kernel::G;
-  static constexpr std::size_t C = Kernel::C;
-  using Components = std::conditional_t<D == 3, SolidComponents, PlaneComponents>;
+  static constexpr std::size_t G = Space::G;
+  static constexpr std::size_t C = Space::C;
+  using Components = std::conditional_t<std::is_same_v<Space, SolidSpace>, SolidComponents, PlaneComponents>;
   using Points = BranchPoints<Components, G>;
   using Steps = typename Points::Steps;
-  using Cells = BlockCells<Kernel>;
-  using Gradients = CellGradients<Kernel>;
-  using Nodal = typename Cells::Nodal;
-  using CellTangent = typename Cells::CellTangent;
-  using Moduli = Small<Pack, C>;
-  using Ends = GatheredSegment<Kernel>;
+  using Cells = BodyCells<Space>;
+  using Gradient = typename Cells::Gradient;
+  using Gradients = std::vector<Gradient>;
+  using Moduli = typename Cells::Moduli;
 
  public:
-  MaxwellTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
-              const std::vector<MaxwellBranch>& branches, HistoryUpdate update, int points)
+  MaxwellTerm(const LocalBlock& block, std::unique_ptr<Cells> cells, const std::vector<MaxwellBranch>& branches,
+              HistoryUpdate update)
       : update_(update),
-        cells_(mesh, block, pattern, points),
-        points_(block, cells_.table.size(), branches),
+        cells_(std::move(cells)),
+        points_(block, cells_->points(), branches),
         frozen_(points_.steps(0)) {}
 
   bool dissipates() const override { return true; }
   bool has_state() const override { return true; }
   bool has_history() const override { return true; }
 
-  void place(const Pattern& pattern) override { cells_.batches.place(pattern); }
+  void place(const Pattern& pattern) override { cells_->place(pattern); }
 
   void initialize(const KnownState&, TermHistories& histories) const override {
     histories.of(slot()) = points_.history();
@@ -61,11 +54,13 @@ class MaxwellTerm final : public Viscoelasticity {
     Pack sum = 0.0, stress = 0.0, strain = 0.0;
     std::vector<Pack> branches(frozen_.size(), Pack(0.0));
     typename Points::StepSquares squares{};
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients from(cells_, b, step.states.front().u), to(cells_, b, step.states.back().u);
-      for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        const Pack loss = points_.accept(kept, b, q, from(q), to(q), stage, step.dt, update_, squares);
-        const Pack share = cells_.owned[b] * weight(b, q);
+    Gradients from(cells_->points()), to(cells_->points());
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, step.states.front().u, from.data());
+      cells_->gradients(b, step.states.back().u, to.data());
+      for (std::size_t q = 0; q < to.size(); ++q) {
+        const Pack loss = points_.accept(kept, b, q, from[q], to[q], stage, step.dt, update_, squares);
+        const Pack share = cells_->owned(b) * cells_->weight(b, q);
         sum += share * loss;
         for (std::size_t n = 0; n < branches.size(); ++n) branches[n] += share * squares.branches[n];
         stress += share * squares.sum;
@@ -96,52 +91,44 @@ class MaxwellTerm final : public Viscoelasticity {
     check(rule);
     const PointData& kept = this->kept(segment.histories);
     const Steps& steps = steps_of(segment);
+    BatchEnds<Space> ends(*cells_, segment);
+    Gradients p(cells_->points());
     Pack least_jacobian = 1.0;
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Ends ends(cells_.batches, b, segment);
-      Nodal force{};
-      for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        const auto dn = Kernel::shape_gradients(cells_.geometry[b], q);
-        const typename Kernel::template Ends<Pack> at(ends.segment(), dn);
-        Small<Pack, G> mean{};
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      const PointEnds<Pack, G> here = ends.of(b);
+      for (std::size_t q = 0; q < p.size(); ++q) {
+        p[q] = {};
         for (const RulePoint& point : rule.points) {
-          const auto strain = Points::strain(at.at(point));
+          const auto strain = Points::strain(here.at(q, point));
           least_jacobian = smaller(least_jacobian, strain.jacobian);
-          const auto p = points_.stress(kept, b, q, strain, steps);
-          add_components(point.weight * weight(b, q), p, mean);
+          add_components(point.weight, points_.stress(kept, b, q, strain, steps), p[q]);
         }
-        least_jacobian = smaller(least_jacobian, at.jacobian());
-        add_nodal_forces(mean, dn, force);
+        least_jacobian = smaller(least_jacobian, determinant(deformation_gradient(here.to[q])));
       }
-      cells_.batches.scatter_force(b, force, f);
+      cells_->add_forces(b, p.data(), f);
     }
     return least(least_jacobian) > 0;  // the elastic law may be one of small strains, which never asks
   }
 
   void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
-    for_each_tangent(segment, rule, [&](std::size_t b, const CellTangent& tangent) {
-      cells_.batches.scatter_tangent(b, tangent, values);
-    });
+    with_moduli(segment, rule,
+                [&](std::size_t b, const auto& moduli) { cells_->add_tangent(b, true, moduli, values); });
   }
 
   /// Returns null in a body of revolution, whose elasticity has no action either.
   std::unique_ptr<TangentAction> create_action() const override {
-    if constexpr (!Kernel::revolved) return std::make_unique<Action>(*this);
+    if constexpr (!Space::is_ring) return std::make_unique<Action>(*this);
     return nullptr;
   }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
-    for_each_tangent(segment, end_rule(),
-                     [&](std::size_t b, const CellTangent& tangent) { cells_.scatter_row_sums(b, tangent, sums); });
+    with_moduli(segment, end_rule(), [&](std::size_t b, const auto& moduli) { cells_->add_row_sums(b, moduli, sums); });
     return true;
   }
 
   void add_diagonal(const Place& at, double* diagonal) const override {
-    for_each_tangent(segment_at(at), end_rule(), [&](std::size_t b, const CellTangent& tangent) {
-      Nodal values;
-      for (std::size_t r = 0; r < N * D; ++r) values[r / D][r % D] = tangent[r][r];
-      cells_.batches.scatter_diagonal(b, values, diagonal);
-    });
+    with_moduli(segment_at(at), end_rule(),
+                [&](std::size_t b, const auto& moduli) { cells_->add_diagonal(b, moduli, diagonal); });
   }
 
   double energy(const Place& at) const override {
@@ -159,8 +146,8 @@ class MaxwellTerm final : public Viscoelasticity {
 
   void add_cell_dissipation(const TermHistories& histories, std::vector<double>& density) const override {
     const PointData& kept = this->kept(&histories);
-    density.resize(cells_.batches.cells());
-    for (std::size_t b = 0; b < cells_.size(); ++b)
+    density.resize(cells_->cells());
+    for (std::size_t b = 0; b < cells_->size(); ++b)
       for_each_mean(
           b, [&](std::size_t q) { return std::array<Pack, 1>{points_.dissipated(kept, b, q)}; },
           [&](std::size_t cell, std::size_t lane, const auto& mean) { density[cell] += mean[0][lane]; });
@@ -169,11 +156,13 @@ class MaxwellTerm final : public Viscoelasticity {
   std::array<double, 2> squared_error(const Segment& step) const override {
     const PointData& kept = this->kept(step.histories);
     Pack sum = 0.0, volume = 0.0;
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients from(cells_, b, step.from), to(cells_, b, step.to);
-      for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        const Pack share = cells_.owned[b] * weight(b, q);
-        sum += share * points_.squared_error(kept, b, q, from(q), to(q), step.length, update_);
+    Gradients from(cells_->points()), to(cells_->points());
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, step.from, from.data());
+      cells_->gradients(b, step.to, to.data());
+      for (std::size_t q = 0; q < to.size(); ++q) {
+        const Pack share = cells_->owned(b) * cells_->weight(b, q);
+        sum += share * points_.squared_error(kept, b, q, from[q], to[q], step.length, update_);
         volume += share;
       }
     }
@@ -182,20 +171,22 @@ class MaxwellTerm final : public Viscoelasticity {
 
   void add_cell_energy(const Place& at, std::vector<double>& density) const override {
     const PointData& kept = this->kept(at.histories);
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients displacement(cells_, b, at.u);
+    Gradients h(cells_->points());
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, at.u, h.data());
       for_each_mean(
-          b, [&](std::size_t q) { return std::array<Pack, 1>{points_.stored(kept, b, q, displacement(q), frozen_)}; },
+          b, [&](std::size_t q) { return std::array<Pack, 1>{points_.stored(kept, b, q, h[q], frozen_)}; },
           [&](std::size_t cell, std::size_t lane, const auto& mean) { density[cell] += mean[0][lane]; });
     }
   }
 
   void add_cell_stress(const Place& at, std::vector<SymmetricTensor>& stress) const override {
     const PointData& kept = this->kept(at.histories);
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients displacement(cells_, b, at.u);
+    Gradients h(cells_->points());
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, at.u, h.data());
       for_each_mean(
-          b, [&](std::size_t q) { return cauchy_stress(kept, b, q, displacement(q)); },
+          b, [&](std::size_t q) { return cauchy_stress(kept, b, q, h[q]); },
           [&](std::size_t cell, std::size_t lane, const auto& mean) {
             for (std::size_t i = 0; i < mean.size(); ++i) stress[cell][i] += mean[i][lane];
           });
@@ -225,62 +216,62 @@ class MaxwellTerm final : public Viscoelasticity {
     if (rule.mean != Mean::Points) throw std::logic_error("Maxwell branches take means of points only");
   }
 
-  const Pack& weight(std::size_t b, std::size_t q) const { return cells_.geometry[b].points[q].weight; }
   const Steps& steps_of(const Segment& segment) const {
     return segment.length > 0 ? segment.step->of<Memory>(slot()).steps : frozen_;
   }
 
-  static void add_components(const Pack& factor, const Small<Pack, 3>& p, Small<Pack, G>& sum) {
+  static void add_components(double factor, const Small<Pack, 3>& p, Small<Pack, G>& sum) {
     for (std::size_t r = 0; r < C; ++r) {
       const auto [i, j] = Components::all[r];
       sum[i][j] += factor * p[i][j];
     }
   }
 
-  /// Returns `scale` times the moduli of a point, sums over branches and time points.
-  Moduli moduli(const PointData& kept, std::size_t b, std::size_t q, const Ends& ends, const Steps& steps,
-                const Rule& rule, const Pack& scale) const {
-    const typename Kernel::template Ends<Pack> at(ends.segment(), Kernel::shape_gradients(cells_.geometry[b], q));
+  /// Returns the moduli of a point, sums over branches and time points.
+  Moduli moduli(const PointData& kept, std::size_t b, std::size_t q, const PointEnds<Pack, G>& ends, const Steps& steps,
+                const Rule& rule) const {
     Moduli result{};
     for (const RulePoint& point : rule.points)
-      points_.add_moduli(kept, b, q, at.at(point), steps, Pack(point.weight * point.to * scale), result);
+      points_.add_moduli(kept, b, q, ends.at(q, point), steps, Pack(point.weight * point.to), result);
     for (std::size_t r = 0; r < C; ++r)
       for (std::size_t c = r + 1; c < C; ++c) result[r][c] = result[c][r];
     return result;
   }
 
-  /// Calls visit(batch, tangent) for all cells.
+  /// Calls visit(batch, moduli of its points) for all batches.
   template <class Visit>
-  void for_each_tangent(const Segment& segment, const Rule& rule, const Visit& visit) const {
+  void with_moduli(const Segment& segment, const Rule& rule, const Visit& visit) const {
     check(rule);
     const PointData& kept = this->kept(segment.histories);
     const Steps& steps = steps_of(segment);
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Ends ends(cells_.batches, b, segment);
-      CellTangent tangent{};
-      for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        const auto dn = Kernel::shape_gradients(cells_.geometry[b], q);
-        add_contraction<true>(dn, dn, moduli(kept, b, q, ends, steps, rule, weight(b, q)), tangent);
-      }
-      visit(b, tangent);
+    BatchEnds<Space> ends(*cells_, segment);
+    PointEnds<Pack, G> here;
+    std::size_t b = 0;
+    const typename Cells::ModuliOf of_points = [&](std::size_t first, std::size_t count, Moduli* a) {
+      for (std::size_t q = 0; q < count; ++q) a[q] = moduli(kept, b, first + q, here, steps, rule);
+    };
+    for (; b < cells_->size(); ++b) {
+      here = ends.of(b);
+      visit(b, of_points);
     }
   }
 
-  using Linearization = ModuliAction<Element, LinearElastic>;
-
   /// It has no linear part: the elasticity beside it applies that.
-  class Action final : public KeptAction<Linearization, Kernel> {
+  class Action final : public KeptAction<Space> {
    public:
-    explicit Action(const MaxwellTerm& term) : KeptAction<Linearization, Kernel>(term.cells_), term_(term) {}
+    explicit Action(const MaxwellTerm& term) : KeptAction<Space>(*term.cells_), term_(term) {}
 
     void linearize(const Segment& segment, const Rule& rule, Tangent, const LinearPart&) override {
       check(rule);
       const PointData& kept = term_.kept(segment.histories);
       const Steps& steps = term_.steps_of(segment);
-      this->keep({}, [&](std::size_t b, NarrowPack* data) {
-        const Ends ends(term_.cells_.batches, b, segment);
-        Linearization::keep(term_.cells_.geometry[b].points, 0, data,
-                            [&](std::size_t q) { return term_.moduli(kept, b, q, ends, steps, rule, Pack(1.0)); });
+      const ModuliProduct<Cells::D> product;
+      BatchEnds<Space> ends(*term_.cells_, segment);
+      std::vector<Moduli> moduli(term_.cells_->points());
+      this->keep(PointProduct<Cells::D>(product), [&](std::size_t b, NarrowPack* data) {
+        const PointEnds<Pack, G> here = ends.of(b);
+        for (std::size_t q = 0; q < moduli.size(); ++q) moduli[q] = term_.moduli(kept, b, q, here, steps, rule);
+        product.keep_moduli(moduli.size(), moduli.data(), term_.cells_->space_points(b), data);
       });
     }
 
@@ -294,10 +285,10 @@ class MaxwellTerm final : public Viscoelasticity {
   template <class Density>
   double integral(const double* u, const Density& density) const {
     Pack sum = 0.0;
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients displacement(cells_, b, u);
-      for (std::size_t q = 0; q < cells_.table.size(); ++q)
-        sum += cells_.owned[b] * weight(b, q) * density(b, q, displacement(q));
+    Gradients h(cells_->points());
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, u, h.data());
+      for (std::size_t q = 0; q < h.size(); ++q) sum += cells_->owned(b) * cells_->weight(b, q) * density(b, q, h[q]);
     }
     return total(sum);
   }
@@ -316,13 +307,12 @@ class MaxwellTerm final : public Viscoelasticity {
   /// Calls visit(cell, lane, mean of value(point)) for the cells of a batch.
   template <class Value, class Visit>
   void for_each_mean(std::size_t b, const Value& value, const Visit& visit) const {
-    const auto mean = mean_over_points(
-        cells_.geometry[b].points, [](std::size_t q) { return q; }, value);
-    for (std::size_t lane = 0; lane < cells_.batches.lanes(b); ++lane) visit(cells_.number(b, lane), lane, mean);
+    const auto mean = mean_over(cells_->points(), cells_->weights(b), value);
+    for (std::size_t lane = 0; lane < cells_->lanes(b); ++lane) visit(Cells::number(b, lane), lane, mean);
   }
 
   HistoryUpdate update_;
-  Cells cells_;
+  std::unique_ptr<Cells> cells_;
   Points points_;
   Steps frozen_;  ///< of length 0
 };
@@ -332,13 +322,10 @@ class MaxwellTerm final : public Viscoelasticity {
 std::unique_ptr<Viscoelasticity> make_maxwell_term(const LocalMesh& mesh, const LocalBlock& block,
                                                    const Pattern& pattern, const std::vector<MaxwellBranch>& branches,
                                                    HistoryUpdate update, int points) {
-  const auto make = [&](auto element) -> std::unique_ptr<Viscoelasticity> {
-    return std::make_unique<MaxwellTerm<typename decltype(element)::type>>(mesh, block, pattern, branches, update,
-                                                                           points);
-  };
-  if (!mesh.axisymmetric) return with_element(block.type, make);
-  return with_plane_element(block.type,
-                            [&](auto element) { return make(TypeTag<Revolved<typename decltype(element)::type>>{}); });
+  return in_space_of(mesh, [&](auto space) -> std::unique_ptr<Viscoelasticity> {
+    return std::make_unique<MaxwellTerm<decltype(space)>>(block, make_body_cells(space, mesh, block, pattern, points),
+                                                          branches, update);
+  });
 }
 
 }  // namespace ixos

@@ -1,14 +1,16 @@
 #include "term/body/viscous_term.hpp"
 
+#include <array>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
-#include "element/elastic_kernel.hpp"
+#include "base/scratch.hpp"
+#include "element/cell_means.hpp"
 #include "element/viscous_point.hpp"
-#include "fem/with_element.hpp"
-#include "material/linear_elastic.hpp"
+#include "material/hooke.hpp"
 #include "state/history.hpp"
-#include "term/body/block_cells.hpp"
+#include "term/body/body_cells.hpp"
 
 namespace ixos {
 namespace {
@@ -22,31 +24,27 @@ bool is_difference(const Row& row) {
   return true;
 }
 
-template <class Element>
+template <class Space>
 class ViscousTerm final : public Viscosity {
-  using Kernel = ElasticKernel<Element, LinearElastic>;  // for its geometry; also that of rings
-  static constexpr std::size_t D = Kernel::D;
-  static constexpr std::size_t N = Kernel::N;
-  static constexpr std::size_t G = Kernel::G;
-  using Gradients = CellGradients<Kernel>;
-  using Nodal = typename BlockCells<Kernel>::Nodal;
-  using CellTangent = typename BlockCells<Kernel>::CellTangent;
-  using Matrix = Small<Pack, G>;
+  static constexpr std::size_t G = Space::G;
+  using Cells = BodyCells<Space>;
+  using Matrix = typename Cells::Gradient;
+  using Matrices = std::vector<Matrix>;
   using Moduli = Small<Pack, G * G>;
   using Point = ViscousPoint<G, Pack>;
 
  public:
-  ViscousTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Hooke& law, int points)
+  ViscousTerm(const LocalMesh& mesh, const LocalBlock& block, std::unique_ptr<Cells> cells, const Hooke& law)
       : law_(law),
         block_(block),
-        owned_dofs_(static_cast<std::size_t>(mesh.owned_nodes) * D),
-        local_dofs_(static_cast<std::size_t>(mesh.nodes()) * D),
-        cells_(mesh, block, pattern, points),
-        nothing_(block, cells_.table.size(), 1) {}
+        owned_dofs_(static_cast<std::size_t>(mesh.owned_nodes) * Cells::D),
+        local_dofs_(static_cast<std::size_t>(mesh.nodes()) * Cells::D),
+        cells_(std::move(cells)),
+        nothing_(block, cells_->points(), 1) {}
 
   bool is_gradient(RateForm form) const override { return form == RateForm::End; }
 
-  void place(const Pattern& pattern) override { cells_.batches.place(pattern); }
+  void place(const Pattern& pattern) override { cells_->place(pattern); }
   void initialize(const KnownState&, TermHistories& histories) const override {
     histories.of(slot()) = create_history();
   }
@@ -69,25 +67,26 @@ class ViscousTerm final : public Viscosity {
   void add_force(const Place& at, double* f) const override {
     const Memory& stage = memory(at.step);
     for (std::size_t i = 0; i < stage.kept.size(); ++i) f[i] += stage.kept[i];
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      Nodal force{};
+    Matrices p(cells_->points());
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
       for_each_point(stage, b, at.u, [&](std::size_t q, const Point& point) {
-        add_nodal(b, q, point.stress(), stage.end_weight, force);
+        p[q] = point.stress();
+        scale(stage.end_weight, p[q]);
       });
-      cells_.batches.scatter_force(b, force, f);
+      cells_->add_forces(b, p.data(), f);
     }
   }
 
   void add_tangent(const Place& at, double* values) const override {
     const Memory& stage = memory(at.step);
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      CellTangent tangent{};
+    std::vector<Moduli> all(cells_->points());
+    const typename Cells::ModuliOf moduli = of(all);
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
       for_each_point(stage, b, at.u, [&](std::size_t q, const Point& point) {
-        Moduli moduli{};
-        point.add_moduli(cells_.geometry[b].points[q].weight * stage.end_weight, moduli);
-        add_cell_tangent<true>(b, q, moduli, tangent);
+        all[q] = {};
+        point.add_moduli(Pack(stage.end_weight), all[q]);
       });
-      cells_.batches.scatter_tangent(b, tangent, values);
+      cells_->add_tangent(b, true, moduli, values);
     }
   }
 
@@ -97,52 +96,57 @@ class ViscousTerm final : public Viscosity {
     if (!stage.kept.empty())
       for (std::size_t i = 0; i < owned_dofs_; ++i) sum += stage.kept[i] * (at.u[i] - stage.from[i]);
     Pack cells = 0.0;
-    for (std::size_t b = 0; b < cells_.size(); ++b)
+    for (std::size_t b = 0; b < cells_->size(); ++b)
       for_each_point(stage, b, at.u, [&](std::size_t q, const Point& point) {
-        cells += cells_.owned[b] * cells_.geometry[b].points[q].weight * stage.end_weight * point.energy();
+        cells += cells_->owned(b) * cells_->weight(b, q) * stage.end_weight * point.energy();
       });
     return sum + total(cells);
   }
 
   void add_force_at(double factor, const double* u, const double* v, double* f) const override {
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients displacement(cells_, b, u), velocity(cells_, b, v);
-      Nodal force{};
-      for (std::size_t q = 0; q < cells_.table.size(); ++q)
-        add_nodal(b, q, stress_at(displacement(q), velocity(q)), factor, force);
-      cells_.batches.scatter_force(b, force, f);
+    Matrices displacement(cells_->points()), velocity(cells_->points()), p(cells_->points());
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, u, displacement.data());
+      cells_->gradients(b, v, velocity.data());
+      for (std::size_t q = 0; q < p.size(); ++q) {
+        p[q] = stress_at(displacement[q], velocity[q]);
+        scale(factor, p[q]);
+      }
+      cells_->add_forces(b, p.data(), f);
     }
   }
 
   void add_tangent_at(double by_velocity, double by_displacement, const double* u, const double* v,
                       double* values) const override {
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients displacement(cells_, b, u), velocity(cells_, b, v);
-      CellTangent tangent{};
-      for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        const Matrix f = deformation_gradient(displacement(q)), g = velocity(q);
+    Matrices displacement(cells_->points()), velocity(cells_->points());
+    std::vector<Moduli> all(cells_->points());
+    const typename Cells::ModuliOf moduli = of(all);
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, u, displacement.data());
+      cells_->gradients(b, v, velocity.data());
+      for (std::size_t q = 0; q < all.size(); ++q) {
+        const Matrix f = deformation_gradient(displacement[q]), g = velocity[q];
         const Matrix s = law_.stress(symmetric_product(f, g));
-        const Pack& weight = cells_.geometry[b].points[q].weight;
-        Moduli moduli{};
-        law_.add_moduli(f, f, s, Pack(by_displacement * weight), Pack(by_velocity * weight), moduli);
-        law_.add_moduli(f, g, s, Pack(0.0), Pack(by_displacement * weight), moduli);
-        add_cell_tangent<false>(b, q, moduli, tangent);
+        all[q] = {};
+        law_.add_moduli(f, f, s, Pack(by_displacement), Pack(by_velocity), all[q]);
+        law_.add_moduli(f, g, s, Pack(0.0), Pack(by_displacement), all[q]);
       }
-      cells_.batches.scatter_tangent(b, tangent, values);
+      cells_->add_tangent(b, false, moduli, values);
     }
   }
 
   void add_row_sums(const double* u, double* sums) const override {
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients displacement(cells_, b, u);
-      CellTangent tangent{};
-      for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        const Matrix f = deformation_gradient(displacement(q));
-        Moduli moduli{};
-        law_.add_moduli(f, f, Matrix{}, Pack(0.0), cells_.geometry[b].points[q].weight, moduli);
-        add_cell_tangent<true>(b, q, moduli, tangent);
+    Matrices displacement(cells_->points());
+    std::vector<Moduli> all(cells_->points());
+    const typename Cells::ModuliOf moduli = of(all);
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, u, displacement.data());
+      for (std::size_t q = 0; q < all.size(); ++q) {
+        const Matrix f = deformation_gradient(displacement[q]);
+        all[q] = {};
+        law_.add_moduli(f, f, Matrix{}, Pack(0.0), Pack(1.0), all[q]);
       }
-      cells_.scatter_row_sums(b, tangent, sums);
+      cells_->add_row_sums(b, moduli, sums);
     }
   }
 
@@ -150,10 +154,10 @@ class ViscousTerm final : public Viscosity {
     TermHistory& history = histories.of(slot());
     PointData& dissipated = history.points.front().values;
     Pack sum = 0.0;
-    for (std::size_t b = 0; b < cells_.size(); ++b)
+    for (std::size_t b = 0; b < cells_->size(); ++b)
       for_each_work(b, step, [&](std::size_t q, const Pack& work) {
         dissipated(b, q) += work;
-        sum += cells_.owned[b] * cells_.geometry[b].points[q].weight * work;
+        sum += cells_->owned(b) * cells_->weight(b, q) * work;
       });
     keep_rates(step, history);
     return {total(sum), 0};
@@ -172,31 +176,27 @@ class ViscousTerm final : public Viscosity {
 
   void cell_dissipation(const TermHistories& histories, std::vector<double>& density) const override {
     const PointData& dissipated = histories.of(slot()).points.front().values;
-    density.resize(cells_.batches.cells());
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      Pack energy = 0.0, volume = 0.0;
-      for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        energy += cells_.geometry[b].points[q].weight * dissipated(b, q);
-        volume += cells_.geometry[b].points[q].weight;
-      }
-      for (std::size_t lane = 0; lane < cells_.batches.lanes(b); ++lane)
-        density[cells_.number(b, lane)] = energy[lane] / volume[lane];
+    density.resize(cells_->cells());
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      const auto mean = mean_over(cells_->points(), cells_->weights(b),
+                                  [&](std::size_t q) { return std::array<Pack, 1>{dissipated(b, q)}; });
+      for (std::size_t lane = 0; lane < cells_->lanes(b); ++lane) density[Cells::number(b, lane)] = mean[0][lane];
     }
   }
 
   void add_cell_stress(const Place& at, std::vector<SymmetricTensor>& stress) const override {
     const bool has_kept = at.histories != nullptr && has_rates(at.histories->of(slot()));
-    for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const Gradients displacement(cells_, b, at.u), velocity(cells_, b, at.v);
-      const auto mean = mean_over_points(
-          cells_.geometry[b].points, [](std::size_t q) { return q; },
-          [&](std::size_t q) {
-            return has_kept ? viscous_cauchy_stress_at(law_, displacement(q),
-                                                       kept_rate(at.histories->of(slot()).points.back().values, b, q))
-                            : viscous_cauchy_stress(law_, displacement(q), velocity(q));
-          });
-      for (std::size_t lane = 0; lane < cells_.batches.lanes(b); ++lane)
-        for (std::size_t i = 0; i < mean.size(); ++i) stress[cells_.number(b, lane)][i] += mean[i][lane];
+    Matrices displacement(cells_->points()), velocity(cells_->points());
+    const PointData* const kept = has_kept ? &at.histories->of(slot()).points.back().values : nullptr;
+    for (std::size_t b = 0; b < cells_->size(); ++b) {
+      cells_->gradients(b, at.u, displacement.data());
+      cells_->gradients(b, at.v, velocity.data());
+      const auto mean = mean_over(cells_->points(), cells_->weights(b), [&](std::size_t q) {
+        return kept != nullptr ? viscous_cauchy_stress_at(law_, displacement[q], kept_rate(*kept, b, q))
+                               : viscous_cauchy_stress(law_, displacement[q], velocity[q]);
+      });
+      for (std::size_t lane = 0; lane < cells_->lanes(b); ++lane)
+        for (std::size_t i = 0; i < mean.size(); ++i) stress[Cells::number(b, lane)][i] += mean[i][lane];
     }
   }
 
@@ -221,37 +221,49 @@ class ViscousTerm final : public Viscosity {
   /// Calls visit(point number, point) for the points of a batch at the displacement u of the stage's end.
   template <class Visit>
   void for_each_point(const Memory& stage, std::size_t b, const double* u, const Visit& visit) const {
-    const Nodal start = cells_.gathered(b, stage.from);
-    Nodal change = cells_.gathered(b, u);
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < D; ++i) change[a][i] -= start[a][i];
-    const Gradients of_start(cells_, b, start), of_change(cells_, b, change);
-    for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-      const bool row = stage.form == RateForm::End;
-      visit(q, Point{law_, stage.form, stage.unknown, stage.inverse_dt, of_start(q), of_change(q),
-                     row ? stage.known[b * cells_.table.size() + q] : Matrix{}});
-    }
+    Scratch<Matrix> start(cells_->points()), change(cells_->points());
+    cells_->gradients(b, stage.from, start.data());
+    cells_->gradients_of_change(b, stage.from, u, change.data());
+    const bool row = stage.form == RateForm::End;
+    for (std::size_t q = 0; q < start.size(); ++q)
+      visit(q, Point{law_, stage.form, stage.unknown, stage.inverse_dt, start[q], change[q],
+                     row ? stage.known[b * start.size() + q] : Matrix{}});
+  }
+
+  /// Returns what BodyCells asks for of moduli between all components.
+  static typename Cells::ModuliOf of(const std::vector<Moduli>& all) {
+    return [&all](std::size_t first, std::size_t count, typename Cells::Moduli* a) {
+      for (std::size_t q = 0; q < count; ++q) copy_moduli(all[first + q], a[q]);
+    };
+  }
+  static void scale(double factor, Matrix& m) {
+    for (auto& row : m)
+      for (Pack& value : row) value *= factor;
   }
 
   /// Evaluates the row on Green's strain of the known states: E' = sym(F^T grad v), E'' = sym(F^T grad a) +
   /// grad v^T grad v.
   void freeze_strains(const Row& row, const std::vector<KnownState>& states, double dt,
                       std::vector<Matrix>& all) const {
-    all.assign(cells_.size() * cells_.table.size(), Matrix{});
+    const std::size_t points = cells_->points();
+    all.assign(cells_->size() * points, Matrix{});
+    Matrices start(points), here(points), velocity(points), acceleration(points);
     for (std::size_t j = 0; j < row.known.size(); ++j) {
       const Row::Known& k = row.known[j];
       if (k.u == 0 && k.v == 0 && k.a == 0) continue;
       const KnownState& state = states[j];
-      for (std::size_t b = 0; b < cells_.size(); ++b) {
-        const Gradients start(cells_, b, states[0].u), here(cells_, b, state.u), velocity(cells_, b, state.v);
-        const Gradients acceleration(cells_, b, k.a != 0 ? state.a : state.v);
-        for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-          const Matrix h = here(q), h0 = start(q), g = velocity(q), f = deformation_gradient(h);
-          Matrix& known = all[b * cells_.table.size() + q];
+      for (std::size_t b = 0; b < cells_->size(); ++b) {
+        cells_->gradients(b, states[0].u, start.data());
+        cells_->gradients(b, state.u, here.data());
+        cells_->gradients(b, state.v, velocity.data());
+        if (k.a != 0) cells_->gradients(b, state.a, acceleration.data());
+        for (std::size_t q = 0; q < points; ++q) {
+          const Matrix &h = here[q], &h0 = start[q], &g = velocity[q], f = deformation_gradient(h);
+          Matrix& known = all[b * points + q];
           if (k.u != 0 && j > 0) add(k.u, change_of_strain(h0, difference(h, h0)), known);
           if (k.v != 0) add(k.v * dt, symmetric_product(f, g), known);
           if (k.a == 0) continue;
-          add(k.a * dt * dt, symmetric_product(f, acceleration(q)), known);
+          add(k.a * dt * dt, symmetric_product(f, acceleration[q]), known);
           add(k.a * dt * dt, symmetric_product(g, g), known);
         }
       }
@@ -263,33 +275,39 @@ class ViscousTerm final : public Viscosity {
   void for_each_work(std::size_t b, const AcceptedStep& step, const Visit& visit) const {
     const KnownState& start = step.states.front();
     const KnownState& end = step.states.back();
+    const std::size_t points = cells_->points();
+    Matrices u0(points), v0(points);
     if (step.work->form == WorkSum::Form::Stages) {
-      std::vector<Pack> work(cells_.table.size(), Pack(0.0));
+      std::vector<Pack> work(points, Pack(0.0));
       for (std::size_t i = 0; i < step.states.size(); ++i) {
-        const Gradients displacement(cells_, b, step.states[i].u), velocity(cells_, b, step.states[i].v);
-        for (std::size_t q = 0; q < work.size(); ++q) {
-          const Matrix rate = symmetric_product(deformation_gradient(displacement(q)), velocity(q));
+        cells_->gradients(b, step.states[i].u, u0.data());
+        cells_->gradients(b, step.states[i].v, v0.data());
+        for (std::size_t q = 0; q < points; ++q) {
+          const Matrix rate = symmetric_product(deformation_gradient(u0[q]), v0[q]);
           work[q] += step.dt * step.work->weights[i] * contraction(law_.stress(rate), rate);
         }
       }
-      for (std::size_t q = 0; q < work.size(); ++q) visit(q, work[q]);
+      for (std::size_t q = 0; q < points; ++q) visit(q, work[q]);
       return;
     }
+    cells_->gradients(b, start.u, u0.data());
+    cells_->gradients(b, start.v, v0.data());
     if (step.work->form == WorkSum::Form::EndMean) {
-      const Gradients u0(cells_, b, start.u), v0(cells_, b, start.v), u1(cells_, b, end.u), v1(cells_, b, end.v);
-      for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        const Matrix change = difference(u1(q), u0(q));
+      Matrices u1(points), v1(points);
+      cells_->gradients(b, end.u, u1.data());
+      cells_->gradients(b, end.v, v1.data());
+      for (std::size_t q = 0; q < points; ++q) {
+        const Matrix change = difference(u1[q], u0[q]);
         visit(q,
-              0.5 * contraction(stress_at(u0(q), v0(q)), change) + 0.5 * contraction(stress_at(u1(q), v1(q)), change));
+              0.5 * contraction(stress_at(u0[q], v0[q]), change) + 0.5 * contraction(stress_at(u1[q], v1[q]), change));
       }
       return;
     }
     const Memory& stage = memory(step.step);
-    const Gradients u0(cells_, b, start.u), v0(cells_, b, start.v);
     for_each_point(stage, b, end.u, [&](std::size_t q, const Point& point) {
       if (stage.form != RateForm::End) return visit(q, point.dissipated());
       Pack work = stage.end_weight * contraction(point.stress(), point.change);
-      if (stage.end_weight != 1) work += (1 - stage.end_weight) * contraction(stress_at(u0(q), v0(q)), point.change);
+      if (stage.end_weight != 1) work += (1 - stage.end_weight) * contraction(stress_at(u0[q], v0[q]), point.change);
       visit(q, work);
     });
   }
@@ -301,7 +319,7 @@ class ViscousTerm final : public Viscosity {
   /// Returns the rates of Green's strain in the accepted step, which it adds if there are none [1/T0].
   PointData& rates(TermHistory& history) const {
     if (!has_rates(history))
-      history.points.push_back({{{"mean rate", ColumnKind::Scalar, G * G}}, {block_, cells_.table.size(), G * G}});
+      history.points.push_back({{{"mean rate", ColumnKind::Scalar, G * G}}, {block_, cells_->points(), G * G}});
     return history.points.back().values;
   }
   /// Keeps the rates of strain of the step, if the force has their mean, for reports.
@@ -309,7 +327,7 @@ class ViscousTerm final : public Viscosity {
     const Memory* const stage = step.step != nullptr ? &memory(step.step) : nullptr;
     if (stage == nullptr || !stage->has_mean_rate) return drop_rates(history);
     PointData& kept = rates(history);
-    for (std::size_t b = 0; b < cells_.size(); ++b)
+    for (std::size_t b = 0; b < cells_->size(); ++b)
       for_each_point(*stage, b, step.states.back().u, [&](std::size_t q, const Point& point) {
         const Matrix rate = point.rate();
         for (std::size_t k = 0; k < G * G; ++k) kept(b, q, k) = rate[k / G][k % G];
@@ -327,19 +345,6 @@ class ViscousTerm final : public Viscosity {
     return product(f, law_.stress(symmetric_product(f, g)));
   }
 
-  void add_nodal(std::size_t b, std::size_t q, Matrix p, double factor, Nodal& force) const {
-    const Pack weight = factor * cells_.geometry[b].points[q].weight;
-    for (auto& row : p)
-      for (Pack& value : row) value *= weight;
-    add_nodal_forces(p, Kernel::shape_gradients(cells_.geometry[b], q), force);
-  }
-
-  template <bool symmetric>
-  void add_cell_tangent(std::size_t b, std::size_t q, const Moduli& moduli, CellTangent& tangent) const {
-    const auto dn = Kernel::shape_gradients(cells_.geometry[b], q);
-    add_contraction<symmetric>(dn, dn, moduli, tangent);
-  }
-
   static Matrix difference(Matrix a, const Matrix& b) {
     for (std::size_t i = 0; i < G; ++i)
       for (std::size_t j = 0; j < G; ++j) a[i][j] -= b[i][j];
@@ -353,7 +358,7 @@ class ViscousTerm final : public Viscosity {
   Hooke law_;                ///< of rates of strain [E0 T0]
   const LocalBlock& block_;  ///< of the mesh
   std::size_t owned_dofs_, local_dofs_;
-  BlockCells<Kernel> cells_;
+  std::unique_ptr<Cells> cells_;
   PointData nothing_;  ///< a zero at each point
 };
 
@@ -361,13 +366,9 @@ class ViscousTerm final : public Viscosity {
 
 std::unique_ptr<Viscosity> make_viscous_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                              const Hooke& law, int points) {
-  if (mesh.axisymmetric)
-    return with_plane_element(block.type, [&](auto element) -> std::unique_ptr<Viscosity> {
-      using Ring = Revolved<typename decltype(element)::type>;
-      return std::make_unique<ViscousTerm<Ring>>(mesh, block, pattern, law, points);
-    });
-  return with_element(block.type, [&](auto element) -> std::unique_ptr<Viscosity> {
-    return std::make_unique<ViscousTerm<typename decltype(element)::type>>(mesh, block, pattern, law, points);
+  return in_space_of(mesh, [&](auto space) -> std::unique_ptr<Viscosity> {
+    return std::make_unique<ViscousTerm<decltype(space)>>(mesh, block,
+                                                          make_body_cells(space, mesh, block, pattern, points), law);
   });
 }
 

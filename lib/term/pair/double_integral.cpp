@@ -37,8 +37,9 @@ class DoubleIntegral final : public Interaction, public Coupling, public Surface
   void add_time_derivative(const Segment&, const Rule&, double*) const override {}
   /// The factor of the kernel: the distance has no forces.
   std::vector<std::string> parameters() const override { return {"Law Factor"}; }
-  bool add_parameter_derivative(std::size_t, const Segment& segment, const Rule& rule, double* f) const override {
-    return add_force(segment, rule, f);
+  bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
+                                double* f) const override {
+    return add_factor_derivative(parameter, segment, rule, f);
   }
 
   bool update_stencils(const double*) override { return !std::exchange(coupled_, true); }

@@ -36,9 +36,9 @@ void lower(const SurfacePatches<D>& surface, const std::vector<Vec<D>>& x, const
   const double longest = longest_side(patches, x);
   int guess = -1;
   const auto look = [&](const Vec<D>& place) {
-    const SurfaceFoot<D> foot = other.nearest(place, std::max(std::abs(lowest.gap), longest), {guess, {}});
-    guess = foot.patch;
-    lower_to<D>(place, foot.gap, lowest);
+    const SurfaceProjection<D> projection = other.nearest(place, std::max(std::abs(lowest.gap), longest), {guess, {}});
+    guess = projection.patch;
+    lower_to<D>(place, projection.gap, lowest);
   };
   if (D == 3 && surface.through_nodes)
     for (const Vec<D>& place : x) look(place);
@@ -80,7 +80,7 @@ template <std::size_t D>
 LowestPoint PairApproach<D>::lowest_point(const Places& x, const Places* start) const {
   LowestPoint lowest;
   if (!points_.is_positive()) lower_to_points(x, lowest);
-  if (points_.sight() != nullptr) {
+  if (points_.visibility() != nullptr) {
     lower_to_itself(x, lowest);
     return lowest;
   }
@@ -112,7 +112,7 @@ void PairApproach<D>::lower_to_points(const Places& x, LowestPoint& lowest) cons
   memory_.part.assign(1, x);
   const auto times = points_.contacts(memory_.part, PairPoints<D>::Share::Forces);
   for (const Contact& c : times->front().all)
-    if (c.foot.patch >= 0) lower_to<D>(c.place, c.foot.gap, lowest);
+    if (c.projection.patch >= 0) lower_to<D>(c.place, c.projection.gap, lowest);
 }
 
 template <std::size_t D>
@@ -188,7 +188,7 @@ template <std::size_t D>
 double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start, const Places& ways) const {
   if (!start.primary) return 1;  // places are no numbers, which shows in the force
   const auto least = [&](const Contact& at_start) {
-    return margin_ * std::min(at_start.foot.gap, points_.law().equilibrium_gap());
+    return margin_ * std::min(at_start.projection.gap, points_.law().equilibrium_gap());
   };
   double room = std::numeric_limits<double>::infinity();
   for (const Contact& c : start.all) room = std::min(room, gap_of(c) - least(c));

@@ -37,7 +37,7 @@ class PairApproach {
   void lower_to_itself(const Places& x, LowestPoint& lowest) const;
   void lower_on_the_way(const Places& from, const Places& to, LowestPoint& lowest) const;
   /// Returns a lower bound on the point's gap.
-  double gap_of(const Contact& c) const { return c.foot.patch < 0 ? points_.law().range() : c.foot.gap; }
+  double gap_of(const Contact& c) const { return c.projection.patch < 0 ? points_.law().range() : c.projection.gap; }
   /// Returns the largest s in [0, 1] for contacts that move along the ways.
   double free_share(const typename PairPoints<D>::Contacts& contacts, const Places& ways) const;
   /// Returns the point's place along its own patch at the given values of the surface's nodes.

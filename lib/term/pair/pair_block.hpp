@@ -13,10 +13,10 @@ namespace ixos {
 /// The matrix of a part of both surfaces: its nodes, a node may stand twice, and D nodes rows of as many numbers.
 struct PairBlock {
   std::size_t secondary = 0;  ///< patch with the points
-  int primary = -1;           ///< patch with the feet
+  int primary = -1;           ///< patch with the closest points
   std::vector<int> nodes;     ///< local
   std::vector<double> k;
-  int next = -1;  ///< primary patch with feet at another time, whose nodes stand here, too; -1: none
+  int next = -1;  ///< primary patch with closest points at another time, whose nodes stand here, too; -1: none
 };
 
 /// Calls a function for each matrix of a tangent.

@@ -26,34 +26,34 @@ double ratio_of_ways(const PairPlaces<D>& a, const PairPlaces<D>& b, const PairP
 }  // namespace
 
 template <std::size_t D>
-FootGuess<D> EarlierFeet<D>::guess(std::size_t secondary, std::size_t point, int patch) const {
+ProjectionGuess<D> EarlierProjections<D>::guess(std::size_t secondary, std::size_t point, int patch) const {
   const PairContact<D>* const known = last != nullptr ? last->find(secondary, point) : nullptr;
-  if (known == nullptr || known->foot.patch < 0) return {patch, {}};
-  const SurfaceFoot<D>& foot = known->foot;
-  FootGuess<D> result{foot.patch, foot.xi};
+  if (known == nullptr || known->projection.patch < 0) return {patch, {}};
+  const SurfaceProjection<D>& projection = known->projection;
+  ProjectionGuess<D> result{projection.patch, projection.xi};
   const PairContact<D>* const before = last_but_one != nullptr ? last_but_one->find(secondary, point) : nullptr;
-  if (before == nullptr || before->foot.patch != foot.patch) return result;
-  for (std::size_t k = 0; k < foot.xi.size(); ++k)
-    (*result.xi)[k] = std::clamp(foot.xi[k] + longer * (foot.xi[k] - before->foot.xi[k]), 0.0, 1.0);
+  if (before == nullptr || before->projection.patch != projection.patch) return result;
+  for (std::size_t k = 0; k < projection.xi.size(); ++k)
+    (*result.xi)[k] = std::clamp(projection.xi[k] + longer * (projection.xi[k] - before->projection.xi[k]), 0.0, 1.0);
   return result;
 }
 
-/// A foot's patch comes no farther than by the motion, and others come no nearer than by it. A lead says nothing of
-/// patches that were no neighbours.
+/// A closest point's patch comes no farther than by the motion, and others come no nearer than by it. A lead says
+/// nothing of patches that were no neighbours.
 template <std::size_t D>
-double EarlierFeet<D>::lead(std::size_t secondary, std::size_t point) const {
+double EarlierProjections<D>::lead(std::size_t secondary, std::size_t point) const {
   const PairContact<D>* const known = last != nullptr && same_neighbours ? last->find(secondary, point) : nullptr;
   if (known == nullptr) return 0;
-  return known->foot.lead - (known->foot.patch < 0 ? 1 : 2) * motion;
+  return known->projection.lead - (known->projection.patch < 0 ? 1 : 2) * motion;
 }
 
 template <std::size_t D>
-void find_earlier_feet(const PairTimes<D>& times, const PairTimes<D>* earlier, const PairSearch<D>& search, double most,
-                       std::vector<EarlierFeet<D>>& result) {
+void find_earlier_projections(const PairTimes<D>& times, const PairTimes<D>* earlier, const PairSearch<D>& search,
+                              double most, std::vector<EarlierProjections<D>>& result) {
   result.assign(times.size(), {});
   for (std::size_t k = 0; k < times.size(); ++k) {
     const PairPlaces<D>& places = times[k].places;
-    EarlierFeet<D>& own = result[k];
+    EarlierProjections<D>& own = result[k];
     own.motion = std::numeric_limits<double>::infinity();
     if (!times[k].primary) continue;
     const auto look = [&](const PairContacts<D>& at) {
@@ -78,11 +78,11 @@ void find_earlier_feet(const PairTimes<D>& times, const PairTimes<D>* earlier, c
   }
 }
 
-template struct EarlierFeet<2>;
-template struct EarlierFeet<3>;
-template void find_earlier_feet(const PairTimes<2>&, const PairTimes<2>*, const PairSearch<2>&, double,
-                                std::vector<EarlierFeet<2>>&);
-template void find_earlier_feet(const PairTimes<3>&, const PairTimes<3>*, const PairSearch<3>&, double,
-                                std::vector<EarlierFeet<3>>&);
+template struct EarlierProjections<2>;
+template struct EarlierProjections<3>;
+template void find_earlier_projections(const PairTimes<2>&, const PairTimes<2>*, const PairSearch<2>&, double,
+                                       std::vector<EarlierProjections<2>>&);
+template void find_earlier_projections(const PairTimes<3>&, const PairTimes<3>*, const PairSearch<3>&, double,
+                                       std::vector<EarlierProjections<3>>&);
 
 }  // namespace ixos

@@ -32,7 +32,7 @@ double reach_of_stiffness(const GapLaw& law) {
 template <std::size_t D>
 PairCoupling<D>::PairCoupling(const PairPoints<D>& points)
     : points_(points), reach_(reach_of_stiffness(points.law())), skin_(reach_ / 2) {
-  if (points.sight() != nullptr) return;  // every point is on the surface
+  if (points.visibility() != nullptr) return;  // every point is on the surface
   overlap_ = points.overlap();
   overlap_.least = reach_;
 }
@@ -44,7 +44,7 @@ std::vector<std::pair<int, int>> PairCoupling<D>::pairs_within(const typename Pa
   std::vector<Pair> result;
   for (std::size_t k = 0; k < near->secondary.size(); ++k)
     for (const int p : near->primary[k])
-      if (points_.sight() == nullptr || !points_.sight()->is_excluded(near->secondary[k], p))
+      if (points_.visibility() == nullptr || !points_.visibility()->is_excluded(near->secondary[k], p))
         result.emplace_back(static_cast<int>(near->secondary[k]), p);
   return result;
 }

@@ -25,7 +25,7 @@ class PairCoupling {
   /// was loaded does not search: what else the record has belongs to its pairs.
   bool update(const typename PairPoints<D>::Places& places);
   /// Couples, from the next update on, the nodes of all primary patches of a secondary patch with each other, too: a
-  /// discrete gradient has feet at the mean and at the end of a step.
+  /// discrete gradient has closest points at the mean and at the end of a step.
   void join() { join_due_ = !joined_; }
   /// Returns the local nodes of each pair, or of each secondary patch and its primary ones.
   std::vector<std::vector<int>> stencils() const;

@@ -172,7 +172,7 @@ class PairFriction final : public FrictionInteraction {
   /// Sets the block to zero, of the point's patches.
   void begin_block(const Point& point) const {
     block_.secondary = point.contact.patch;
-    block_.primary = point.contact.foot.patch;
+    block_.primary = point.contact.projection.patch;
     block_.nodes.assign(point.nodes.begin(), point.nodes.end());
     block_.k.assign(D * D * point.nodes.size() * point.nodes.size(), 0.0);
   }
@@ -182,7 +182,7 @@ class PairFriction final : public FrictionInteraction {
                       const std::function<void(const PairBlock&)>& visit) const {
     bool any = false;
     for (const Point& point : acting(segment.end())) {
-      if (!any || block_.secondary != point.contact.patch || block_.primary != point.contact.foot.patch) {
+      if (!any || block_.secondary != point.contact.patch || block_.primary != point.contact.projection.patch) {
         if (any) visit(block_);
         begin_block(point);
         any = true;

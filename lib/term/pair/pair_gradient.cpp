@@ -48,8 +48,8 @@ void PairGradient<D>::fade(const SurfacePatch<D>& patch, const PatchParameters<D
 /// Returns S, in the order of the contact's nodes.
 template <std::size_t D>
 typename PairGradient<D>::Weights PairGradient<D>::weights_of(const Contact& contact) const {
-  const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
-  const typename SurfacePatch<D>::Weights &own = points_.weights(contact), n = patch.weights(contact.foot.xi);
+  const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.projection.patch)];
+  const typename SurfacePatch<D>::Weights &own = points_.weights(contact), n = patch.weights(contact.projection.xi);
   Weights s(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(points_.secondary().patches[contact.patch].count));
   for (std::size_t a = 0; a < patch.count; ++a) s.push_back(-n[a]);
   return s;
@@ -61,7 +61,7 @@ typename PairGradient<D>::Step PairGradient<D>::take(const Segment& segment) con
   points_.place(segment.from, places_[0]);
   points_.place(segment.to, places_[1]);
   points_.place(segment, {1, 0.5, 0, 0.5}, places_[2]);
-  // A point that is within the law's range at one end has a foot at the mean places, too.
+  // A point that is within the law's range at one end has a closest point at the mean places, too.
   double way = 0;
   const auto grow = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) way = std::max(way, length(b[i] - a[i]));
@@ -76,15 +76,15 @@ typename PairGradient<D>::Step PairGradient<D>::take(const Segment& segment) con
 template <std::size_t D>
 bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& point) const {
   const Contact &start = step.start.all[number], &end = step.end.all[number], &mean = step.mean.all[number];
-  if (mean.foot.patch < 0 || (!points_.acts(start.foot) && !points_.acts(end.foot))) return false;
+  if (mean.projection.patch < 0 || (!points_.acts(start.projection) && !points_.acts(end.projection))) return false;
   const GapLaw& law = points_.law();
-  const double g0 = points_.acts(start.foot) ? start.foot.gap : law.range();
-  const double g1 = points_.acts(end.foot) ? end.foot.gap : law.range();
+  const double g0 = points_.acts(start.projection) ? start.projection.gap : law.range();
+  const double g1 = points_.acts(end.projection) ? end.projection.gap : law.range();
   point.at_end = &end;
   point.at_mean = &mean;
   point.d = end.place - start.place;
-  const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.foot.patch)];
-  const typename SurfacePatch<D>::Shape n = patch.shape(mean.foot.xi);
+  const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.projection.patch)];
+  const typename SurfacePatch<D>::Shape n = patch.shape(mean.projection.xi);
   std::array<Vec<D>, D - 1> turns{};  // of the tangents
   for (std::size_t a = 0; a < patch.count; ++a) {
     const auto node = static_cast<std::size_t>(patch.nodes[a]);
@@ -92,11 +92,11 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
     point.d = point.d - n.value[a] * way;
     for (std::size_t j = 0; j + 1 < D; ++j) turns[j] = turns[j] + n.slopes[j][a] * way;
   }
-  const Vec<D>& m = mean.foot.normal;
-  point.r = mean.foot.gap * m;
+  const Vec<D>& m = mean.projection.normal;
+  point.r = mean.projection.gap * m;
   point.a = inner(m, point.d);
-  // The foot's way is that of its weights.
-  const Vec<D> foot_way = end.place - start.place - point.d;
+  // The closest point's way is that of its weights.
+  const Vec<D> projection_way = end.place - start.place - point.d;
   const SurfacePatch<D>& own = points_.secondary().patches[mean.patch];
   double sum = 0;
   point.size = 0;
@@ -104,27 +104,27 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
     const auto node = static_cast<std::size_t>(own.nodes[k]);
     const Vec<D>& before = step.start.places.secondary[node];
     Corner& corner = point.corner[k];
-    corner.r = step.mean.places.secondary[node] - mean.foot.frame.place;
-    corner.d = step.end.places.secondary[node] - before - foot_way;
+    corner.r = step.mean.places.secondary[node] - mean.projection.frame.place;
+    corner.d = step.end.places.secondary[node] - before - projection_way;
     corner.w = inner(corner.r, corner.d);
     point.size += inner(before - start.place, before - start.place);
     sum += corner.w * corner.w;
   }
   point.v = point.a * point.a + sum / point.size;
   point.along.clear();
-  fade(patch, mean.foot.xi, point);
+  fade(patch, mean.projection.xi, point);
   for (std::size_t j = 0; j + 1 < D; ++j) {
-    if (mean.foot.fixed[j]) continue;
-    const Vec<D>& t = mean.foot.frame.tangents[j];
+    if (mean.projection.fixed[j]) continue;
+    const Vec<D>& t = mean.projection.frame.tangents[j];
     const double change = inner(t, point.d) + inner(point.r, turns[j]), square = inner(t, t),
                  b = point.f * change / square;
     point.along.push_back({j, t, turns[j], change, square, b});
     point.v += b * change;
   }
   point.traction = law.mean_traction(g0, g1)[0];
-  point.mean_slope = points_.acts(end.foot) ? static_cast<double>(law.mean_stiffness(g0, g1)[0]) : 0.0;
+  point.mean_slope = points_.acts(end.projection) ? static_cast<double>(law.mean_stiffness(g0, g1)[0]) : 0.0;
   const double off = g1 - g0 - point.a;
-  point.by_gap = points_.acts(end.foot) ? point.mean_slope * off - point.traction : 0.0;
+  point.by_gap = points_.acts(end.projection) ? point.mean_slope * off - point.traction : 0.0;
   share(-point.traction * off, point);
   return true;
 }
@@ -168,8 +168,8 @@ double PairGradient<D>::add_force(const Segment& segment, double* f) const {
     }
     for (std::size_t a = 0; a < nodes.size(); ++a) add(a, s[a] * (a < count ? own : all));
     if (point.c == 0) continue;
-    const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(point.at_mean->foot.patch)];
-    const auto slopes = patch.shape(point.at_mean->foot.xi).slopes;
+    const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(point.at_mean->projection.patch)];
+    const auto slopes = patch.shape(point.at_mean->projection.xi).slopes;
     for (const Along& j : point.along)
       for (std::size_t a = 0; a < patch.count; ++a) add(count + a, slopes[j.parameter][a] * point.turn(j));
   }
@@ -180,7 +180,7 @@ template <std::size_t D>
 void PairGradient<D>::set_convex_block(const Point& point, PairBlock& block) const {
   const PairGap<D> gap = points_.gap_of(*point.at_mean);
   block.secondary = point.at_mean->patch;
-  block.primary = point.at_mean->foot.patch;
+  block.primary = point.at_mean->projection.patch;
   block.next = -1;
   const auto nodes = points_.nodes_of(*point.at_mean);
   block.nodes.assign(nodes.begin(), nodes.end());

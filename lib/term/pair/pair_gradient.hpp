@@ -9,13 +9,13 @@
 
 namespace ixos {
 
-/// At each point, with the foot y, the normal m and the weights S of the relative position r = S x at the mean of both
-/// ends' places, d = S dx, a = m . d and the mean T of the traction over the gaps g0 to g1, the force is S (-T m), and
-/// what lacks of the work, e = psi(g1) - psi(g0) + T a, is done by forces of three kinds,
+/// At each point, with the closest point y, the normal m and the weights S of the relative position r = S x at the mean
+/// of both ends' places, d = S dx, a = m . d and the mean T of the traction over the gaps g0 to g1, the force is S (-T
+/// m), and what lacks of the work, e = psi(g1) - psi(g0) + T a, is done by forces of three kinds,
 ///
 ///   c a m                    on S, along the normal,
 ///   c w_k/R^2 (z_k - y)      between y and the corners z_k of the point's own side,
-///   c b_j (t_j S + r N_,j)   along the foot's tangents t_j = N_,j x, which turns them, too,
+///   c b_j (t_j S + r N_,j)   along the closest point's tangents t_j = N_,j x, which turns them, too,
 ///
 ///   w_k = (z_k - y) . (dz_k - dy),   b_j = f (t_j . d + r . dt_j)/(t_j . t_j),   c = e/v,
 ///   v = a^2 + sum of w_k^2/R^2 + sum of b_j (t_j . d + r . dt_j),
@@ -23,9 +23,9 @@ namespace ixos {
 /// with R^2 = sum of |z_k - x|^2 at the start. Each kind is the derivative of a scalar product of vectors between nodes
 /// at the mean places, so the force does the change of the energy as its work, and its net force and its net moment
 /// about the mean places vanish. f is 1, but falls to 0 at kinks and rims, so that the force is continuous where the
-/// foot changes its patch. Where v < |e|/k, with k three times the law's stiffness at its equilibrium gap, c is 2 k
-/// sign(e) - k^2 v/e, and Gonzalez' (1996) vector (e - c v)/(d . d) S d does the rest of the work. Points do so that
-/// roll over a kink. Displacements below 1e-5 of the equilibrium gap take -T m alone.
+/// closest point changes its patch. Where v < |e|/k, with k three times the law's stiffness at its equilibrium gap, c
+/// is 2 k sign(e) - k^2 v/e, and Gonzalez' (1996) vector (e - c v)/(d . d) S d does the rest of the work. Points do so
+/// that roll over a kink. Displacements below 1e-5 of the equilibrium gap take -T m alone.
 template <std::size_t D>
 class PairGradient {
  public:
@@ -56,7 +56,7 @@ class PairGradient {
     Vec<D> r, d;  ///< z - y, its change in the step
     double w;
   };
-  /// A free parameter of the foot.
+  /// A free parameter of the closest point.
   struct Along {
     std::size_t parameter;
     Vec<D> t, way;  ///< t_j and dt_j
@@ -81,11 +81,11 @@ class PairGradient {
     double c_by_e, c_by_v;
     /// Returns the force on S.
     Vec<D> force() const {
-      Vec<D> sum = rest * d + (c * a - traction) * at_mean->foot.normal;
+      Vec<D> sum = rest * d + (c * a - traction) * at_mean->projection.normal;
       for (const Along& j : along) sum = sum + c * j.b * j.t;
       return sum;
     }
-    /// Returns the force of a corner on the foot's other side.
+    /// Returns the force of a corner on the closest point's other side.
     Vec<D> force(std::size_t k) const { return c * corner[k].w / size * corner[k].r; }
     /// Returns the force that N_,j takes.
     Vec<D> turn(const Along& j) const { return c * j.b * r; }

@@ -32,28 +32,28 @@ std::array<typename SurfacePatch<D>::Weights, second_derivatives(D - 1)> bends_o
 
 /// With the force w s_I t at node I, its derivative is w (ds_I t + s_I dt), and so for N_,j. Mean places move half as
 /// far as the end's. With the parameters' changes dxi at the mean places and the position r = g m of the point from
-/// its foot, dr = S du/2 - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes'
-/// way in the step. Corners have dr and dd likewise, with their own weight in place of the point's.
+/// its closest point, dr = S du/2 - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the
+/// nodes' way in the step. Corners have dr and dd likewise, with their own weight in place of the point's.
 template <std::size_t D>
 void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock& block) const {
   const Contact &mean = *point.at_mean, &end = *point.at_end;
   const SurfacePatch<D>& secondary = points_.secondary().patches[mean.patch];
-  const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.foot.patch)];
+  const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.projection.patch)];
   const std::size_t count = secondary.count, size = count + patch.count;
   block.secondary = mean.patch;
-  block.primary = mean.foot.patch;
+  block.primary = mean.projection.patch;
   block.next = -1;
   const auto own_nodes = points_.nodes_of(mean);
   block.nodes.assign(own_nodes.begin(), own_nodes.end());
   ByNode<D, double> end_weights(size, 0.0);  // of the end's gap
-  if (points_.acts(end.foot)) {
-    if (end.foot.patch != mean.foot.patch) block.next = end.foot.patch;
-    const SurfacePatch<D>& last = points_.primary().patches[static_cast<std::size_t>(end.foot.patch)];
+  if (points_.acts(end.projection)) {
+    if (end.projection.patch != mean.projection.patch) block.next = end.projection.patch;
+    const SurfacePatch<D>& last = points_.primary().patches[static_cast<std::size_t>(end.projection.patch)];
     const auto nodes = points_.nodes_of(end);
-    const typename SurfacePatch<D>::Weights n = last.weights(end.foot.xi);
+    const typename SurfacePatch<D>::Weights n = last.weights(end.projection.xi);
     for (std::size_t a = 0; a < count; ++a) end_weights[a] = points_.weights(end)[a];
     for (std::size_t a = 0; a < last.count; ++a) {
-      if (end.foot.patch == mean.foot.patch) {
+      if (end.projection.patch == mean.projection.patch) {
         end_weights[count + a] = -n[a];
       } else {
         block.nodes.push_back(nodes[count + a]);
@@ -62,18 +62,18 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
     }
   }
   const std::size_t all = block.nodes.size(), columns = D * all;
-  const auto shape = patch.shape(mean.foot.xi);
+  const auto shape = patch.shape(mean.projection.xi);
   const Weights own_weights = weights_of(mean);
   ByNode<D, double> s(own_weights.begin(), own_weights.end());
   s.resize(all, 0.0);
-  const Vec<D>& m = mean.foot.normal;
-  const double g = mean.foot.gap;
-  const auto& frame = mean.foot.frame;
+  const Vec<D>& m = mean.projection.normal;
+  const double g = mean.projection.gap;
+  const auto& frame = mean.projection.frame;
 
   // Changes of the free parameters, as rows over the block's degrees of freedom.
   boost::container::static_vector<std::size_t, D - 1> free;
   for (std::size_t k = 0; k + 1 < D; ++k)
-    if (!mean.foot.fixed[k]) free.push_back(k);
+    if (!mean.projection.fixed[k]) free.push_back(k);
   std::array<std::array<double, D - 1>, D - 1> a{};
   for (std::size_t k = 0; k < free.size(); ++k)
     for (std::size_t l = 0; l < free.size(); ++l)
@@ -96,8 +96,8 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
         dxi[D - 2][c] = (a[0][0] * right[1] - a[1][0] * right[0]) / det;
       }
     }
-  // N_,k dX and N_,kl dX: the foot's own displacement, and that of its tangents, as its parameters change.
-  const auto bends = bends_of(patch, mean.foot.xi);
+  // N_,k dX and N_,kl dX: the closest point's own displacement, and that of its tangents, as its parameters change.
+  const auto bends = bends_of(patch, mean.projection.xi);
   std::array<Vec<D>, second_derivatives(D - 1)> turn{};
   for (std::size_t b = 0; b < patch.count; ++b) {
     const auto node = static_cast<std::size_t>(patch.nodes[b]);
@@ -105,10 +105,10 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
     for (std::size_t k = 0; k < turn.size(); ++k) turn[k] = turn[k] + bends[k][b] * way;
   }
   const Vec<D> t = point.force();
-  Vec<D> on_foot = t;
-  for (std::size_t k = 0; k < corners; ++k) on_foot = on_foot + point.force(k);
+  Vec<D> on_projection = t;
+  for (std::size_t k = 0; k < corners; ++k) on_projection = on_projection + point.force(k);
   const double square = inner(point.d, point.d);
-  ByDof<D, Vec<D>> dt(columns), d_on_foot(columns);
+  ByDof<D, Vec<D>> dt(columns), d_on_projection(columns);
   std::array<ByDof<D, Vec<D>>, corners> d_corner;
   for (auto& row : d_corner) row.resize(columns);
   std::array<ByDof<D, Vec<D>>, D - 1> d_turn;
@@ -128,7 +128,7 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
     };
     const auto [dr, dd] = change(s[node]);
     const Vec<D> dm = g == 0 ? Vec<D>{} : 1 / g * (dr - inner(m, dr) * m);
-    const double dg = end_weights[node] * end.foot.normal[i], da = inner(m, dd) + inner(point.d, dm);
+    const double dg = end_weights[node] * end.projection.normal[i], da = inner(m, dd) + inner(point.d, dm);
     const double de = point.by_gap * dg + point.traction * da;
     std::array<std::array<Vec<D>, 2>, corners> at_corner;
     std::array<double, corners> dw{};
@@ -172,12 +172,12 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
       dt[c] = dt[c] + dcb * along.t + point.c * along.b * d_tangent[j];
       d_turn[j][c] = dcb * point.r + point.c * along.b * dr;
     }
-    d_on_foot[c] = dt[c];
+    d_on_projection[c] = dt[c];
     for (std::size_t k = 0; k < corners; ++k) {
       const Corner& corner = point.corner[k];
       d_corner[k][c] =
           1 / point.size * ((dc * corner.w + point.c * dw[k]) * corner.r + point.c * corner.w * at_corner[k][0]);
-      d_on_foot[c] = d_on_foot[c] + d_corner[k][c];
+      d_on_projection[c] = d_on_projection[c] + d_corner[k][c];
     }
   }
   const double w = points_.measure(mean);
@@ -186,11 +186,11 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
     for (std::size_t i = 0; i < D; ++i) {
       double* const row = block.k.data() + (D * node + i) * columns;
       for (std::size_t c = 0; c < columns; ++c) {
-        double sum = s[node] * (node < count ? dt[c][i] : d_on_foot[c][i]);
+        double sum = s[node] * (node < count ? dt[c][i] : d_on_projection[c][i]);
         if (node < corners) sum += d_corner[node][c][i];
         if (node >= count)
           for (std::size_t k = 0; k < free.size(); ++k) {
-            sum += shape.slopes[free[k]][node - count] * (d_turn[k][c][i] - on_foot[i] * dxi[k][c]);
+            sum += shape.slopes[free[k]][node - count] * (d_turn[k][c][i] - on_projection[i] * dxi[k][c]);
             const Vec<D> force = point.turn(point.along[k]);
             for (std::size_t l = 0; l < free.size(); ++l)
               sum += bends[second_derivative(free[k], free[l])][node - count] * force[i] * dxi[l][c];

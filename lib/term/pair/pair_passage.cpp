@@ -110,12 +110,13 @@ struct MovingSurface {
 template <std::size_t D>
 class Ways {
  public:
-  /// `moving`: the surface whose points are looked at; `other`: the one that they can pass; `sight`: of one surface.
-  Ways(const MovingSurface<D>& moving, const MovingSurface<D>& other, const SelfSight<D>* sight)
-      : moving_(moving), other_(other), sight_(sight) {}
+  /// `moving`: the surface whose points are looked at; `other`: the one that they can pass; `visibility`: of one
+  /// surface.
+  Ways(const MovingSurface<D>& moving, const MovingSurface<D>& other, const SelfVisibility<D>* visibility)
+      : moving_(moving), other_(other), visibility_(visibility) {}
 
-  /// Lowers the lowest point to the ends of points that pass. `scale`: see has_passed(). `behind(foot)`: whether a
-  /// point that has that foot at the end is behind the body.
+  /// Lowers the lowest point to the ends of points that pass. `scale`: see has_passed(). `behind(closest point)`:
+  /// whether a point that has that closest point at the end is behind the body.
   template <class Behind>
   void lower(double scale, const Behind& behind, LowestPoint& lowest) const {
     for (std::size_t p = 0; p < moving_.count; ++p)
@@ -128,8 +129,8 @@ class Ways {
         if (!(length(x1 - x0 - other_.drift) > scale / 8)) continue;
         const Crossings<D> crossings = find(p, x0, x1);
         if (crossings.empty()) continue;
-        const double gap = sight_ != nullptr ? own_passage(p, crossings, length(x1 - x0 - other_.drift))
-                                             : passage(crossings, x0, x1, scale, behind);
+        const double gap = visibility_ != nullptr ? own_passage(p, crossings, length(x1 - x0 - other_.drift))
+                                                  : passage(crossings, x0, x1, scale, behind);
         if (!(gap < lowest.gap)) continue;
         lowest.gap = gap;
         std::copy(x1.begin(), x1.end(), lowest.place.begin());
@@ -143,7 +144,7 @@ class Ways {
   Crossings<D> find(std::size_t p, const Vec<D>& x0, const Vec<D>& x1) const {
     Crossings<D> result;
     for (const int q : other_.start.near(std::array<Vec<D>, 2>{x0, x1 - other_.drift}, other_.strain)) {
-      if (sight_ != nullptr && sight_->is_excluded(p, q)) continue;
+      if (visibility_ != nullptr && visibility_->is_excluded(p, q)) continue;
       const auto before = facets_of(other_.start.patch(q)), after = facets_of(other_.end.patch(q));
       const std::size_t found = result.size();
       for (std::size_t f = 0; f < before.size(); ++f) add_crossings<D>(x0, x1, before[f], after[f], result);
@@ -164,7 +165,7 @@ class Ways {
   template <class Behind>
   double passage(const Crossings<D>& all, const Vec<D>& x0, const Vec<D>& x1, double scale,
                  const Behind& behind) const {
-    const SurfaceFoot<D> start = other_.start.nearest(x0), end = other_.end.nearest(x1);
+    const SurfaceProjection<D> start = other_.start.nearest(x0), end = other_.end.nearest(x1);
     const Crossing<D>* const in = first(all, true, 0);
     if (start.gap > 0 && in == nullptr) return none;
     const double entered = start.gap > 0 ? in->time : 0;
@@ -189,7 +190,7 @@ class Ways {
     const Crossing<D>* const in = first(all, true, 0);
     if (in == nullptr) return none;
     const Crossing<D>* const out = first(all, false, in->time);
-    const std::vector<int>& seen = sight_->seen(p);
+    const std::vector<int>& seen = visibility_->seen(p);
     if (out == nullptr)
       return std::binary_search(seen.begin(), seen.end(), in->patch) ? none : -way * (1 - in->time) / 2;
     if (!(inner(in->normal, out->normal) < 0)) return none;
@@ -198,7 +199,7 @@ class Ways {
 
   const MovingSurface<D>& moving_;
   const MovingSurface<D>& other_;
-  const SelfSight<D>* sight_;
+  const SelfVisibility<D>* visibility_;
 };
 
 }  // namespace
@@ -213,12 +214,12 @@ LowestPoint find_passage(const PairPoints<D>& points, const PairPlaces<D>& from,
   const std::array<double, 2> strains = points.search().fastest({secondary.rest, primary.rest});
   secondary.strain = strains[0];
   primary.strain = strains[1];
-  const auto behind = [&](const SurfaceFoot<D>& end) { return end.gap < 0 && !points.acts(end); };
-  Ways<D>(secondary, primary, points.sight()).lower(scale, behind, lowest);
-  if (points.sight() == nullptr)
+  const auto behind = [&](const SurfaceProjection<D>& end) { return end.gap < 0 && !points.acts(end); };
+  Ways<D>(secondary, primary, points.visibility()).lower(scale, behind, lowest);
+  if (points.visibility() == nullptr)
     Ways<D>(primary, secondary, nullptr)
         .lower(
-            scale, [](const SurfaceFoot<D>&) { return false; }, lowest);
+            scale, [](const SurfaceProjection<D>&) { return false; }, lowest);
   return lowest;
 }
 

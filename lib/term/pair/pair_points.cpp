@@ -69,8 +69,8 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
   const std::vector<Vec<D>> x = places(rest.data()).secondary;
   const bool self = options.exclusion > 0;
   if (self) {
-    sight_ = std::make_unique<SelfSight<D>>(secondary().patches, x, options.exclusion, range_);
-    sight_->see(sight_->find(x, range_));
+    visibility_ = std::make_unique<SelfVisibility<D>>(secondary().patches, x, options.exclusion, range_);
+    visibility_->see(visibility_->find(x, range_));
   }
   for (const SurfacePatch<D>& patch : secondary().patches) {
     const PlacedPatch<D> own = patch.placed(patch.among(x));
@@ -129,21 +129,21 @@ const std::vector<typename PairPoints<D>::Places>& PairPoints<D>::places(const S
 template <std::size_t D>
 std::shared_ptr<const PairNeighbours> PairPoints<D>::neighbours(const std::vector<const Places*>& times,
                                                                 double range) const {
-  if (!sight_ || !std::all_of(times.begin(), times.end(), [](const Places* x) { return x->is_finite(); }))
+  if (!visibility_ || !std::all_of(times.begin(), times.end(), [](const Places* x) { return x->is_finite(); }))
     return search_.cover(times, range);
-  if (seen_version_ == sight_->version()) return seen_;
+  if (seen_version_ == visibility_->version()) return seen_;
   auto seen = std::make_shared<PairNeighbours>();
   for (std::size_t s = 0; s < secondary().patches.size(); ++s) {
-    if (sight_->seen(s).empty()) continue;
+    if (visibility_->seen(s).empty()) continue;
     seen->secondary.push_back(s);
-    seen->primary.push_back(sight_->seen(s));
+    seen->primary.push_back(visibility_->seen(s));
   }
   if (overlap_.depth > 0) seen->deep.assign(seen->secondary.size(), 1);
   std::vector<int> all(primary().patches.size());
   std::iota(all.begin(), all.end(), 0);
   seen->together = patch_subset(std::move(all), primary().patches.size());
   seen_ = std::move(seen);
-  seen_version_ = sight_->version();
+  seen_version_ = visibility_->version();
   return seen_;
 }
 
@@ -187,8 +187,8 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(con
     contacts.neighbours = near;
     place_primary(contacts);
   }
-  find_earlier_feet<D>(*result, alike && remembers_ ? last_.get() : nullptr, search_, law_->equilibrium_gap(),
-                       memory_.earlier);
+  find_earlier_projections<D>(*result, alike && remembers_ ? last_.get() : nullptr, search_, law_->equilibrium_gap(),
+                              memory_.earlier);
   std::vector<char>& looks = memory_.looks;
   looks.assign(near->secondary.size(), 1);
   if (share == Share::Forces)
@@ -197,7 +197,7 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(con
     std::transform(near->secondary.begin(), near->secondary.end(), looks.begin(),
                    [&](std::size_t s) { return counts(s) ? 1 : 0; });
   for (std::size_t k = 0; k < result->size(); ++k) {
-    find_feet((*result)[k], memory_.earlier[k], looks, range);
+    find_projections((*result)[k], memory_.earlier[k], looks, range);
     evaluate_law((*result)[k]);
   }
   if (keeps) {
@@ -216,17 +216,17 @@ void PairPoints<D>::evaluate_law(Contacts& contacts) const {
   contacts.least_gap = std::numeric_limits<double>::infinity();
   const auto evaluate = [&]() {
     Pack gap(law_->equilibrium_gap());
-    for (std::size_t lane = 0; lane < lanes; ++lane) gap[lane] = acting[lane]->foot.gap;
+    for (std::size_t lane = 0; lane < lanes; ++lane) gap[lane] = acting[lane]->projection.gap;
     const Pack traction = law_->traction(gap), stiffness = law_->stiffness(gap);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       acting[lane]->traction = traction[lane];
       acting[lane]->stiffness = stiffness[lane];
-      contacts.least_gap = std::min(contacts.least_gap, acting[lane]->foot.gap);
+      contacts.least_gap = std::min(contacts.least_gap, acting[lane]->projection.gap);
     }
     lanes = 0;
   };
   for (Contact& contact : contacts.all) {
-    if (contact.foot.patch < 0) continue;
+    if (contact.projection.patch < 0) continue;
     acting[lanes++] = &contact;
     if (lanes == width) evaluate();
   }
@@ -236,7 +236,7 @@ void PairPoints<D>::evaluate_law(Contacts& contacts) const {
 template <std::size_t D>
 PairGap<D> PairPoints<D>::gap_of(const Contact& contact) const {
   return {weights(contact), secondary().patches[contact.patch].count,
-          primary().patches[static_cast<std::size_t>(contact.foot.patch)], contact.foot};
+          primary().patches[static_cast<std::size_t>(contact.projection.patch)], contact.projection};
 }
 
 template <std::size_t D>
@@ -255,23 +255,23 @@ typename PairPoints<D>::Nodes PairPoints<D>::nodes_of(std::size_t secondary, int
 template <std::size_t D>
 void PairPoints<D>::add(const Contact& contact, double factor, Tangent kind, std::vector<OpenBlock>& blocks,
                         std::size_t& used) const {
-  if (contact.foot.patch < 0) return;
+  if (contact.projection.patch < 0) return;
   double along = contact.stiffness, across = -contact.traction;
   const PairGap<D> gap = gap_of(contact);
   if (kind == Tangent::Convex) {
     along = std::max(along, 0.0);
-    across = gap.is_round() && across * contact.foot.gap > 0 ? across : 0;
+    across = gap.is_round() && across * contact.projection.gap > 0 ? across : 0;
   }
   std::size_t b = 0;
-  while (b < used && blocks[b].block.primary != contact.foot.patch) ++b;
+  while (b < used && blocks[b].block.primary != contact.projection.patch) ++b;
   if (b == used) {
     if (used == blocks.size()) blocks.emplace_back();
     blocks[b].block.secondary = contact.patch;
-    blocks[b].block.primary = contact.foot.patch;
+    blocks[b].block.primary = contact.projection.patch;
     const Nodes nodes = nodes_of(contact);
     blocks[b].block.nodes.assign(nodes.begin(), nodes.end());
     blocks[b].sums.begin(secondary().patches[contact.patch].count,
-                         primary().patches[static_cast<std::size_t>(contact.foot.patch)].count);
+                         primary().patches[static_cast<std::size_t>(contact.projection.patch)].count);
     ++used;
   }
   blocks[b].sums.add(gap, factor * measure(contact) * along, factor * measure(contact) * across);

@@ -14,7 +14,7 @@
 #include "term/pair/pair_block.hpp"
 #include "term/pair/pair_contacts.hpp"
 #include "term/pair/pair_sums.hpp"
-#include "term/pair/self_sight.hpp"
+#include "term/pair/self_visibility.hpp"
 
 namespace ixos {
 
@@ -41,8 +41,8 @@ double overlap_depth(const LocalMesh& mesh, const SurfacePatches<D>& primary);
 
 /// The secondary surface (slave), on which the law is integrated, Pi = sum of w psi(g), and the primary one (master),
 /// from which its gaps g are measured: signed least distances. All ranks have all sides of both. A rank looks at the
-/// points that add to forces at its own nodes: those of patches with own nodes, and others whose feet can lie on
-/// primary patches with own nodes.
+/// points that add to forces at its own nodes: those of patches with own nodes, and others whose closest points can lie
+/// on primary patches with own nodes.
 template <std::size_t D>
 class PairPoints {
  public:
@@ -59,8 +59,8 @@ class PairPoints {
   using Contacts = PairContacts<D>;
   using Times = PairTimes<D>;
 
-  /// Forgets all feet, so that those of a step depend on it alone. From then on the feet at one place are searched from
-  /// those at the last ones.
+  /// Forgets all closest points, so that those of a step depend on it alone. From then on the closest points at one
+  /// place are searched from those at the last ones.
   void begin_step() const {
     last_ = nullptr;
     remembers_ = true;
@@ -88,38 +88,39 @@ class PairPoints {
                                         const std::vector<Places>& also = {}) const;
   /// Returns them at one displacement.
   std::shared_ptr<const Times> contacts(const double* u, Share share, double range = -1) const;
-  /// Returns the point's gap with its derivatives; the contact must have a foot.
+  /// Returns the point's gap with its derivatives; the contact must have a closest point.
   PairGap<D> gap_of(const Contact& contact) const;
   using Nodes = boost::container::static_vector<int, PairGap<D>::most>;
   /// Returns the local nodes of a contact, in the order of PairGap.
-  Nodes nodes_of(const Contact& contact) const { return nodes_of(contact.patch, contact.foot.patch); }
+  Nodes nodes_of(const Contact& contact) const { return nodes_of(contact.patch, contact.projection.patch); }
   Nodes nodes_of(std::size_t secondary, int primary) const;
   /// Calls visit(block) for each matrix of the rule's tangent, which is symmetric if the primary surface reacts: one
-  /// for each pair of a secondary patch and a primary one with a foot.
+  /// for each pair of a secondary patch and a primary one with a closest point.
   template <class Visit>
   void for_each_block(const Segment& segment, const Rule& rule, Tangent kind, const Visit& visit) const;
 
   /// Null unless the surface interacts with itself.
-  SelfSight<D>* sight() const { return sight_.get(); }
+  SelfVisibility<D>* visibility() const { return visibility_.get(); }
   /// Returns the nearest point that a patch of a surface sees of it.
-  SurfaceFoot<D> nearest_seen(const PlacedSurface<D>& surface, std::size_t patch, const Vec<D>& place) const {
+  SurfaceProjection<D> nearest_seen(const PlacedSurface<D>& surface, std::size_t patch, const Vec<D>& place) const {
     const double farthest = std::max(range_, overlap_.depth);
-    SurfaceFoot<D> foot = surface.nearest_of(sight_->seen(patch), place, farthest);
-    keep_within(range_, farthest, foot);
-    return foot;
+    SurfaceProjection<D> projection = surface.nearest_of(visibility_->seen(patch), place, farthest);
+    keep_within(range_, farthest, projection);
+    return projection;
   }
-  /// Returns whether the law acts at the foot of a point.
-  bool acts(const SurfaceFoot<D>& foot) const {
-    return foot.patch >= 0 && !(foot.gap >= range_) && !(foot.gap <= -std::max(range_, overlap_.depth));
+  /// Returns whether the law acts at the projection of a point.
+  bool acts(const SurfaceProjection<D>& projection) const {
+    return projection.patch >= 0 && !(projection.gap >= range_) &&
+           !(projection.gap <= -std::max(range_, overlap_.depth));
   }
   /// Makes the gap of a point below a free rim of the primary surface negative if its way to the rim differs from the
   /// normal by 15 degrees or less: else points near an edge where both bodies end would lose their force as the
   /// surfaces turn a little. Only for laws that act on overlaps, not for a surface that interacts with itself.
-  void count_below_rim(SurfaceFoot<D>& foot) const;
+  void count_below_rim(SurfaceProjection<D>& projection) const;
   /// The overlaps on which the law acts, with the points at which it does.
   const PairOverlap<D>& overlap() const { return overlap_; }
   /// Returns how often the law, with its share, acts on a place of the surface: twice if it interacts with itself.
-  double passes() const { return (sight_ ? 2 : 1) / share_; }
+  double passes() const { return (visibility_ ? 2 : 1) / share_; }
   bool reacts() const { return reacts_; }
 
   /// Returns quadrature weight times reference length or area, of the ring in a body of revolution, with and without
@@ -161,12 +162,13 @@ class PairPoints {
   /// Sets, by entry of the neighbours, whether its points act on nodes of this rank at one of these times.
   void find_acting(const Times& times, double range, std::vector<char>& acting) const;
   /// `looks`: by entry of the neighbours, whether its points count.
-  void find_feet(Contacts& contacts, const EarlierFeet<D>& earlier, const std::vector<char>& looks, double range) const;
-  /// Discards a foot whose gap is out of range, because it was searched farther than that, for an overlap.
-  static void keep_within(double range, double searched, SurfaceFoot<D>& foot) {
-    if (searched > range && foot.patch >= 0 && foot.gap >= range) foot = {};
+  void find_projections(Contacts& contacts, const EarlierProjections<D>& earlier, const std::vector<char>& looks,
+                        double range) const;
+  /// Discards a closest point whose gap is out of range, because it was searched farther than that, for an overlap.
+  static void keep_within(double range, double searched, SurfaceProjection<D>& projection) {
+    if (searched > range && projection.patch >= 0 && projection.gap >= range) projection = {};
   }
-  /// Returns how far the feet of an entry's points are searched.
+  /// Returns how far the closest points of an entry's points are searched.
   double search_range(const PairNeighbours& near, std::size_t entry, double range) const {
     return near.is_deep(entry) ? std::max(range, overlap_.depth) : range;
   }
@@ -176,7 +178,7 @@ class PairPoints {
 
   std::vector<double> coordinates_;  ///< of the local mesh
   PairSurfaces<D> surfaces_;
-  std::unique_ptr<SelfSight<D>> sight_;
+  std::unique_ptr<SelfVisibility<D>> visibility_;
   std::shared_ptr<const GapLaw> law_;
   double range_, share_;
   bool reacts_;
@@ -197,14 +199,14 @@ class PairPoints {
     std::vector<std::shared_ptr<Times>> times;
     std::vector<Places> at_rule, single;
     std::vector<const Places*> covered;
-    std::vector<EarlierFeet<D>> earlier;
+    std::vector<EarlierProjections<D>> earlier;
     std::vector<char> looks;
     PlacedPoints points;
     std::vector<int> nearest;  ///< primary patches
     std::vector<OpenBlock> blocks;
   };
   mutable Memory memory_;
-  mutable bool remembers_ = false;  ///< whether feet begin at those of the last evaluation
+  mutable bool remembers_ = false;  ///< whether closest points begin at those of the last evaluation
 };
 
 template <std::size_t D>

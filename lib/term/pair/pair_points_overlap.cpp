@@ -27,29 +27,30 @@ double overlap_depth(const LocalMesh& mesh, const SurfacePatches<D>& primary) {
   for (const int node : nodes) {
     if (mesh.is_derivative(static_cast<std::size_t>(node))) continue;
     const Vec<D> place = reference_place<D>(mesh, node);
-    const SurfaceFoot<D> foot = surface.nearest(place);  // below a rim its gap is positive
-    depth = std::max(depth, -inner(place - foot.frame.place, PlacedPatch<D>::normal(foot.frame)));
+    const SurfaceProjection<D> projection = surface.nearest(place);  // below a rim its gap is positive
+    depth = std::max(depth, -inner(place - projection.frame.place, PlacedPatch<D>::normal(projection.frame)));
   }
   return depth;
 }
 
 template <std::size_t D>
-void PairPoints<D>::count_below_rim(SurfaceFoot<D>& foot) const {
-  if (overlap_.depth == 0 || sight_ || foot.patch < 0 || !(foot.gap > 0)) return;
-  const SurfacePatch<D>& patch = primary().patches[static_cast<std::size_t>(foot.patch)];
+void PairPoints<D>::count_below_rim(SurfaceProjection<D>& projection) const {
+  if (overlap_.depth == 0 || visibility_ || projection.patch < 0 || !(projection.gap > 0)) return;
+  const SurfacePatch<D>& patch = primary().patches[static_cast<std::size_t>(projection.patch)];
   bool rim = false;
   for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side)
-    rim = rim || (patch.neighbours[side] < 0 && foot.fixed[side / 2] && foot.xi[side / 2] == (side % 2 == 0 ? 0 : 1));
+    rim = rim || (patch.neighbours[side] < 0 && projection.fixed[side / 2] &&
+                  projection.xi[side / 2] == (side % 2 == 0 ? 0 : 1));
   // A point farther outside is beside the body, not below its face.
-  const double below = -inner(foot.normal, PlacedPatch<D>::normal(foot.frame));
+  const double below = -inner(projection.normal, PlacedPatch<D>::normal(projection.frame));
   if (!rim || below < std::cos(15 * M_PI / 180)) return;
-  foot.gap = -foot.gap;
-  foot.normal = -1 * foot.normal;
+  projection.gap = -projection.gap;
+  projection.normal = -1 * projection.normal;
 }
 
 template double overlap_depth(const LocalMesh&, const SurfacePatches<2>&);
 template double overlap_depth(const LocalMesh&, const SurfacePatches<3>&);
-template void PairPoints<2>::count_below_rim(SurfaceFoot<2>&) const;
-template void PairPoints<3>::count_below_rim(SurfaceFoot<3>&) const;
+template void PairPoints<2>::count_below_rim(SurfaceProjection<2>&) const;
+template void PairPoints<3>::count_below_rim(SurfaceProjection<3>&) const;
 
 }  // namespace ixos

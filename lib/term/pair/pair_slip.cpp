@@ -91,37 +91,39 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairSlip<D>::contacts(const
 }
 
 template <std::size_t D>
-SurfaceFoot<D> PairSlip<D>::foot_of(const typename PairPoints<D>::Contacts& at,
-                                    const typename PairPoints<D>::Contact& contact) const {
-  const SurfaceFoot<D>& foot = contact.foot;
+SurfaceProjection<D> PairSlip<D>::projection_of(const typename PairPoints<D>::Contacts& at,
+                                                const typename PairPoints<D>::Contact& contact) const {
+  const SurfaceProjection<D>& projection = contact.projection;
   if constexpr (D == 3) {
-    if (!foot.fixed[0] && !foot.fixed[1]) return foot;
+    if (!projection.fixed[0] && !projection.fixed[1]) return projection;
     const auto& patches = points_.primary().patches;
-    const double farthest = std::abs(foot.gap) + 1e-10 * length(foot.frame.tangents[0]);
+    const double farthest = std::abs(projection.gap) + 1e-10 * length(projection.frame.tangents[0]);
     for (const int other : at.candidates(contact)) {
-      if (other >= foot.patch) break;
-      if (!meet(patches[static_cast<std::size_t>(other)], patches[static_cast<std::size_t>(foot.patch)])) continue;
-      FootGuess<D> guess;
+      if (other >= projection.patch) break;
+      if (!meet(patches[static_cast<std::size_t>(other)], patches[static_cast<std::size_t>(projection.patch)]))
+        continue;
+      ProjectionGuess<D> guess;
       guess.patch = other;
-      const SurfaceFoot<D> own = at.primary->nearest_on(guess, contact.place, std::numeric_limits<double>::infinity());
+      const SurfaceProjection<D> own =
+          at.primary->nearest_on(guess, contact.place, std::numeric_limits<double>::infinity());
       if (std::abs(own.gap) <= farthest) return own;
     }
   }
-  return foot;
+  return projection;
 }
 
 template <std::size_t D>
 void PairSlip<D>::set(const typename PairPoints<D>::Contacts& at, const typename PairPoints<D>::Contact& contact,
                       const TermHistory& history, Point& point) const {
   point.contact = contact;
-  point.contact.foot = foot_of(at, contact);
-  const SurfaceFoot<D>& foot = point.contact.foot;
+  point.contact.projection = projection_of(at, contact);
+  const SurfaceProjection<D>& projection = point.contact.projection;
   const auto nodes = points_.nodes_of(point.contact);
   point.nodes.assign(nodes.begin(), nodes.end());
   point.map.set(points_.weights(contact), points_.secondary().patches[contact.patch].count, contact.place,
-                points_.primary().patches[static_cast<std::size_t>(foot.patch)], foot);
+                points_.primary().patches[static_cast<std::size_t>(projection.patch)], projection);
   point.traction = kept_traction(history, contact);
-  point.threshold = friction_.threshold_at(contact.foot.gap);
+  point.threshold = friction_.threshold_at(contact.projection.gap);
 }
 
 template <std::size_t D>
@@ -129,9 +131,10 @@ const typename PairSlip<D>::Points& PairSlip<D>::near(const double* u, const Ter
   const auto times = contacts(u);
   std::size_t used = 0;
   for (const auto& contact : times->front().all) {
-    if (contact.foot.patch < 0 || !(contact.foot.gap < range_)) continue;  // a gap that is no number has no friction
+    if (contact.projection.patch < 0 || !(contact.projection.gap < range_))
+      continue;  // a gap that is no number has no friction
     const Vec<D> kept = kept_traction(history, contact);
-    if (friction_.threshold_at(contact.foot.gap) > 0 || inner(kept, kept) > 0) {
+    if (friction_.threshold_at(contact.projection.gap) > 0 || inner(kept, kept) > 0) {
       if (used == near_.size()) near_.emplace_back();
       set(times->front(), contact, history, near_[used++]);
     }
@@ -148,7 +151,8 @@ void PairSlip<D>::begin(const double* u, double length, const TermHistory& histo
   set_length(length, step);
 }
 
-/// The traction goes along with the primary surface, then with the tangent plane from the first foot to the last one.
+/// The traction goes along with the primary surface, then with the tangent plane from the first closest point to the
+/// last one.
 template <std::size_t D>
 double PairSlip<D>::accept(const double* u, double length, const Memory& step, TermHistory& history) const {
   const auto times = contacts(u);
@@ -157,14 +161,15 @@ double PairSlip<D>::accept(const double* u, double length, const Memory& step, T
   for (const Point& point : step.acting) {
     const auto& contact = point.contact;
     const auto* const now = end.find(contact.patch, contact.point);
-    const bool has_foot = now != nullptr && now->foot.patch >= 0;
-    const double threshold = has_foot ? friction_.threshold_at(now->foot.gap) : 0.0;
+    const bool has_projection = now != nullptr && now->projection.patch >= 0;
+    const double threshold = has_projection ? friction_.threshold_at(now->projection.gap) : 0.0;
     const auto left = this->step(point, creep_length(length)).end(slip(point, u), threshold);
-    const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
+    const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.projection.patch)];
     const auto [from, to] =
-        triads(contact.foot.frame, patch.placed(patch.among(end.places.primary)).frame(contact.foot.xi));
-    const Vec<D> normal = turned<D>(contact.foot.normal, from, to);
-    const Vec<D> traction = carried(turned<D>(left.traction, from, to), normal, has_foot ? now->foot.normal : normal);
+        triads(contact.projection.frame, patch.placed(patch.among(end.places.primary)).frame(contact.projection.xi));
+    const Vec<D> normal = turned<D>(contact.projection.normal, from, to);
+    const Vec<D> traction =
+        carried(turned<D>(left.traction, from, to), normal, has_projection ? now->projection.normal : normal);
     for (std::size_t i = 0; i < D; ++i) keep(history, contact.patch, contact.point, i, traction[i]);
     const auto add = [&](SurfaceNumber which, double value) {
       keep(history, contact.patch, contact.point, place_of(which),
@@ -196,8 +201,8 @@ void PairSlip<D>::report(const double* u, const TermHistory& history, FrictionRe
     }
   }
   for (const auto& contact : times->front().all) {
-    if (!points_.counts(contact.patch) || contact.foot.patch < 0 || !(points_.measure(contact) > 0)) continue;
-    if (!(contact.foot.gap < friction_.cutoff() && friction_.threshold_at(contact.foot.gap) > 0)) continue;
+    if (!points_.counts(contact.patch) || contact.projection.patch < 0 || !(points_.measure(contact) > 0)) continue;
+    if (!(contact.projection.gap < friction_.cutoff() && friction_.threshold_at(contact.projection.gap) > 0)) continue;
     const double area = points_.area(contact);
     report.acting += area;
     report.sticking += area * (1 - number(history, contact.patch, contact.point, SurfaceNumber::Sliding));

@@ -18,12 +18,12 @@ namespace ixos {
 /// forces vanishes. In the plane their moment about the places of the start vanishes. In space the moment of the forces
 /// at a point in time vanishes about the places there.
 ///
-/// accept() carries the traction with the rotation of the primary surface at the foot. In space that is the rotation in
-/// the polar decomposition of the map of the tangents and the normal: neither the parameters of a patch nor the size of
-/// the step change it.
+/// accept() carries the traction with the rotation of the primary surface at the closest point. In space that is the
+/// rotation in the polar decomposition of the map of the tangents and the normal: neither the parameters of a patch nor
+/// the size of the step change it.
 ///
-/// In a state that is not on the way of a step, the traction is the kept one, at the feet of the displacement. All
-/// ranks have all points.
+/// In a state that is not on the way of a step, the traction is the kept one, at the closest points of the
+/// displacement. All ranks have all points.
 template <std::size_t D>
 class PairSlip {
  public:
@@ -31,7 +31,7 @@ class PairSlip {
   using Moduli = typename PatchSlip<D>::Moduli;
   /// A point that friction acts on.
   struct Point {
-    typename PairPoints<D>::Contact contact;  ///< with the foot that the slip refers to
+    typename PairPoints<D>::Contact contact;  ///< with the closest point that the slip refers to
     std::vector<int> nodes;                   ///< local, of both surfaces
     PatchSlip<D> map;                         ///< the slip of displacements
     Motion start{};                           ///< at the displacement of the step's start
@@ -101,10 +101,10 @@ class PairSlip {
   /// Sets everything but the start. `at`: the contacts that have this one.
   void set(const typename PairPoints<D>::Contacts& at, const typename PairPoints<D>::Contact& contact,
            const TermHistory& history, Point& point) const;
-  /// Returns the foot of a contact. At a kink in space it is that on the first of the patches that meet there, so that
-  /// rounding errors do not choose between them.
-  SurfaceFoot<D> foot_of(const typename PairPoints<D>::Contacts& at,
-                         const typename PairPoints<D>::Contact& contact) const;
+  /// Returns the closest point of a contact. At a kink in space it is that on the first of the patches that meet there,
+  /// so that rounding errors do not choose between them.
+  SurfaceProjection<D> projection_of(const typename PairPoints<D>::Contacts& at,
+                                     const typename PairPoints<D>::Contact& contact) const;
   /// Returns the contacts at u, as far as friction reaches.
   std::shared_ptr<const typename PairPoints<D>::Times> contacts(const double* u) const;
 

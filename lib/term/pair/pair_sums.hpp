@@ -7,9 +7,9 @@
 
 namespace ixos {
 
-/// Sums PairGap's matrices over the points of a secondary patch with feet on one primary patch. The weights of the
-/// point's own patch are the same for all times, so that they multiply the sum over the times: a matrix of the feet's
-/// patch is all that each time takes.
+/// Sums PairGap's matrices over the points of a secondary patch with closest points on one primary patch. The weights
+/// of the point's own patch are the same for all times, so that they multiply the sum over the times: a matrix of the
+/// projection's patch is all that each time takes.
 template <std::size_t D>
 class PairSums {
  public:
@@ -33,7 +33,7 @@ class PairSums {
   bool open_ = false;                                    ///< the present point has been added to
   std::array<double, square> own_{};                     ///< of the present point: M_0i0j, summed
   std::vector<Pack> mixed_;                              ///< of the present point, M_0ilj w^l_b: [i D + j][b]
-  std::vector<Pack> weights_;                            ///< [l][b] of a foot, or the point's own
+  std::vector<Pack> weights_;                            ///< [l][b] of a closest point, or the point's own
   std::vector<Pack> among_secondary_, across_;           ///< [a][i D + j][b]
   std::vector<Pack> among_primary_;                      ///< the same, from the pack of a on
 };

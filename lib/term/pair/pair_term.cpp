@@ -19,7 +19,7 @@ namespace {
 double at(const Pack& value) { return value[0]; }
 
 /// By patch: the patches of the same surface that it sees.
-using Sights = std::vector<std::vector<int>>;
+using VisibleLists = std::vector<std::vector<int>>;
 
 template <std::size_t D>
 class PairTerm final : public Interaction, public Admissibility, public Coupling, public SurfaceReport {
@@ -38,7 +38,7 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
         gradient_(points_),
         coupling_(points_),
         approach_(points_, options.margin) {
-    if (is_one_surface()) first_ = points_.sight()->seen();
+    if (is_one_surface()) first_ = points_.visibility()->seen();
   }
 
   const Rule& followed(const Rule& rule) const override { return rule; }
@@ -52,6 +52,10 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   Coupling* coupling() override { return this; }
   const ObstacleMotion* motion() const override { return nullptr; }
   std::vector<std::string> parameters() const override { return {"Law Factor"}; }
+  bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
+                                double* f) const override {
+    return add_factor_derivative(parameter, segment, rule, f);
+  }
 
   bool update_stencils(const double* u) override {
     points_.place(u, now_);
@@ -65,7 +69,7 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   bool outlives_scene() const override { return is_one_surface(); }
   void transfer(Record& record, TermHistories& histories) override {
     const bool other_scene = record.loading() && !record.same_scene();
-    if (is_one_surface()) transfer_sights(record, other_scene, histories.of(slot()).lists);
+    if (is_one_surface()) transfer_visibility(record, other_scene, histories.of(slot()).lists);
     if (!other_scene) coupling_.transfer(record);
   }
 
@@ -87,7 +91,7 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
       if (memory.guards) points_.place(start.state.u, memory.start);
       return;
     }
-    const Sights& before = start.histories->of(slot()).lists;
+    const VisibleLists& before = start.histories->of(slot()).lists;
     auto seen = look(start.state, start.dt, before);
     memory.seen = seen ? *std::move(seen) : before;
     if (memory.seen == before) return;
@@ -148,7 +152,7 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   }
 
   double energy(const Place& here) const override {
-    return sum(here, [&](const Contact& c) { return points_.measure(c) * at(points_.law().energy(c.foot.gap)); });
+    return sum(here, [&](const Contact& c) { return points_.measure(c) * at(points_.law().energy(c.projection.gap)); });
   }
 
   bool needs_positive_gaps() const override { return points_.is_positive(); }
@@ -182,8 +186,8 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
     for (std::size_t p = 0; p < at_times->front().all.size(); ++p) {
       double least = std::numeric_limits<double>::infinity(), most = 0;
       for (const Contacts& contacts : *at_times) {
-        const SurfaceFoot<D>& foot = contacts.all[p].foot;
-        const double gap = std::min(foot.gap, points_.law().range());
+        const SurfaceProjection<D>& projection = contacts.all[p].projection;
+        const double gap = std::min(projection.gap, points_.law().range());
         least = std::min(least, gap);
         most = std::max(most, gap);
       }
@@ -195,9 +199,9 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   double rounding(const Place& here) const override {
     const GapLaw& law = points_.law();
     return sum(here, [&](const Contact& c) {
-      const double near = std::min(c.foot.gap, law.equilibrium_gap());  // a step may lead there
-      const double force = points_.measure(c) *
-                           (at(law.magnitude(c.foot.gap)) + std::abs(at(law.stiffness(near))) * 2 * length(c.place));
+      const double near = std::min(c.projection.gap, law.equilibrium_gap());  // a step may lead there
+      const double force = points_.measure(c) * (at(law.magnitude(c.projection.gap)) +
+                                                 std::abs(at(law.stiffness(near))) * 2 * length(c.place));
       return 2 * force * force;  // on both surfaces
     });
   }
@@ -243,23 +247,23 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   }
 
   void lower_nodal_gap(const Place& here, double* gap) const override {
-    for_each_node(here, [&](std::size_t node, const SurfaceFoot<D>& foot) {
-      if (!(gap[node] <= foot.gap)) gap[node] = foot.gap;
+    for_each_node(here, [&](std::size_t node, const SurfaceProjection<D>& projection) {
+      if (!(gap[node] <= projection.gap)) gap[node] = projection.gap;
     });
   }
 
   void set_nodal_normal(const Place& here, double* normal) const override {
-    for_each_node(here, [&](std::size_t node, const SurfaceFoot<D>& foot) {
-      for (std::size_t i = 0; i < D; ++i) normal[D * node + i] = foot.normal[i];
+    for_each_node(here, [&](std::size_t node, const SurfaceProjection<D>& projection) {
+      for (std::size_t i = 0; i < D; ++i) normal[D * node + i] = projection.normal[i];
     });
   }
 
   void report(const Place& here, InteractionReport& report) const override {
     report.force.resize(D, 0.0);
     report.measure += sum(here, [&](const Contact& c) {
-      report.least_gap = std::min(report.least_gap, c.foot.gap);
-      for (std::size_t i = 0; i < D; ++i) report.force[i] += points_.measure(c) * c.traction * c.foot.normal[i];
-      return c.foot.gap < points_.law().adhesion_gap() ? points_.area(c) : 0.0;
+      report.least_gap = std::min(report.least_gap, c.projection.gap);
+      for (std::size_t i = 0; i < D; ++i) report.force[i] += points_.measure(c) * c.traction * c.projection.normal[i];
+      return c.projection.gap < points_.law().adhesion_gap() ? points_.area(c) : 0.0;
     });
   }
   void report_friction(const Place&, FrictionReport&) const override {}
@@ -277,11 +281,11 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   struct Memory final : StepMemory {
     Places start;
     bool guards = false;  ///< bodies could pass through each other on the way from there
-    Sights seen;          ///< of one surface
+    VisibleLists seen;    ///< of one surface
     double lost = 0;      ///< energy that a change of it takes away at the start
   };
 
-  bool is_one_surface() const { return points_.sight() != nullptr; }
+  bool is_one_surface() const { return points_.visibility() != nullptr; }
   const Places* guarded_start(const StepMemories* step) const {
     if (step == nullptr) return nullptr;
     const auto& memory = step->of<Memory>(slot());
@@ -292,14 +296,14 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
     if (!is_one_surface()) return;
     if (step == nullptr && histories == nullptr)
       throw std::logic_error("a surface that interacts with itself needs the histories of a state");
-    points_.sight()->see(step != nullptr ? step->of<Memory>(slot()).seen : histories->of(slot()).lists);
+    points_.visibility()->see(step != nullptr ? step->of<Memory>(slot()).seen : histories->of(slot()).lists);
   }
   /// If the record is that of another surface, loading into another scene changes nothing.
-  static void transfer_sights(Record& record, bool other_scene, Sights& seen) {
-    if (!other_scene) return SelfSight<D>::transfer(record, seen);
-    Sights own = seen;
+  static void transfer_visibility(Record& record, bool other_scene, VisibleLists& seen) {
+    if (!other_scene) return SelfVisibility<D>::transfer(record, seen);
+    VisibleLists own = seen;
     try {
-      SelfSight<D>::transfer(record, own);
+      SelfVisibility<D>::transfer(record, own);
     } catch (const InputError&) {  // on all ranks alike
       return;
     }
@@ -309,13 +313,13 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   /// Adds the forces times the weight.
   void add_force(const Contacts& contacts, double weight, double* f) const {
     for (const Contact& contact : contacts.all) {
-      if (contact.foot.patch < 0) continue;
-      const Vec<D> force = (-weight * points_.measure(contact) * contact.traction) * contact.foot.normal;
-      const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
+      if (contact.projection.patch < 0) continue;
+      const Vec<D> force = (-weight * points_.measure(contact) * contact.traction) * contact.projection.normal;
+      const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.projection.patch)];
       add_to_nodes(points_.secondary(), contact.patch, points_.weights(contact), force, f);
       if (!points_.reacts()) continue;
-      add_to_nodes(points_.primary(), static_cast<std::size_t>(contact.foot.patch), patch.weights(contact.foot.xi),
-                   -1 * force, f);
+      add_to_nodes(points_.primary(), static_cast<std::size_t>(contact.projection.patch),
+                   patch.weights(contact.projection.xi), -1 * force, f);
     }
   }
   static void add_to_nodes(const SurfacePatches<D>& surface, std::size_t patch,
@@ -331,45 +335,47 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
     if (rule.mean == Mean::Exact) throw std::logic_error("a pair of surfaces has no mean in closed form");
   }
 
-  /// Returns the sum of visit(contact) over the points with feet that count on this rank.
+  /// Returns the sum of visit(contact) over the points with closest points that count on this rank.
   template <class Visit>
   double sum(const Place& here, const Visit& visit) const {
     see(here.histories, here.step);
     const auto times = points_.contacts(here.u, Share::Energies);
     double result = 0;
     for (const Contact& contact : times->front().all)
-      if (contact.foot.patch >= 0) result += visit(contact);
+      if (contact.projection.patch >= 0) result += visit(contact);
     return result;
   }
 
-  /// Calls visit(local node, foot) for the nodes of the secondary surface.
+  /// Calls visit(local node, closest point) for the nodes of the secondary surface.
   template <class Visit>
   void for_each_node(const Place& here, const Visit& visit) const {
     see(here.histories, here.step);
     const Places x = points_.places(here.u);
     const PlacedSurface<D> primary(points_.primary().patches, x.primary);
-    if (points_.sight() == nullptr) {
+    if (points_.visibility() == nullptr) {
       for (std::size_t i = 0; i < x.secondary.size(); ++i) {
-        SurfaceFoot<D> foot = primary.nearest(x.secondary[i]);
-        points_.count_below_rim(foot);
-        visit(static_cast<std::size_t>(points_.secondary().nodes[i]), foot);
+        SurfaceProjection<D> projection = primary.nearest(x.secondary[i]);
+        points_.count_below_rim(projection);
+        visit(static_cast<std::size_t>(points_.secondary().nodes[i]), projection);
       }
       return;
     }
-    std::vector<SurfaceFoot<D>> feet(x.secondary.size());  // the nearest of those that the patches at a corner see
+    std::vector<SurfaceProjection<D>> projections(
+        x.secondary.size());  // the nearest of those that the patches at a corner see
     for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
       for (std::size_t c = 0; c < corners; ++c) {
         const auto node = static_cast<std::size_t>(points_.secondary().patches[p].nodes[c]);
-        const SurfaceFoot<D> foot = points_.nearest_seen(primary, p, x.secondary[node]);
-        if (foot.patch >= 0 && foot.gap < feet[node].gap) feet[node] = foot;
+        const SurfaceProjection<D> projection = points_.nearest_seen(primary, p, x.secondary[node]);
+        if (projection.patch >= 0 && projection.gap < projections[node].gap) projections[node] = projection;
       }
-    for (std::size_t node = 0; node < feet.size(); ++node)
-      if (feet[node].patch >= 0) visit(static_cast<std::size_t>(points_.secondary().nodes[node]), feet[node]);
+    for (std::size_t node = 0; node < projections.size(); ++node)
+      if (projections[node].patch >= 0)
+        visit(static_cast<std::size_t>(points_.secondary().nodes[node]), projections[node]);
   }
 
   /// Returns what patches see at the start of a step, as far as gaps can fall in it: by the law's range, or by twice
   /// the way of the fastest node. Returns nothing if a place is no number.
-  std::optional<Sights> look(const KnownState& start, double dt, const Sights& before) const {
+  std::optional<VisibleLists> look(const KnownState& start, double dt, const VisibleLists& before) const {
     const Places x = points_.places(start.u);
     if (!x.is_finite()) return std::nullopt;
     double fastest = 0;
@@ -377,8 +383,8 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
       points_.place_ways(start.v, ways_);
       for (const Vec<D>& v : ways_.secondary) fastest = std::max(fastest, length(v));
     }
-    return points_.sight()->find(x.secondary, std::max(points_.law().range(), 2 * dt * fastest),
-                                 needs_positive_gaps() ? nullptr : &before);
+    return points_.visibility()->find(x.secondary, std::max(points_.law().range(), 2 * dt * fastest),
+                                      needs_positive_gaps() ? nullptr : &before);
   }
 
   void add_weighted(const Contact& contact, double value, double* by_node) const {
@@ -388,7 +394,7 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
           points_.weights(contact)[a] * value;
   }
 
-  Sights first_;  ///< of one surface, without a past
+  VisibleLists first_;  ///< of one surface, without a past
   const Pattern& pattern_;
   PairPoints<D> points_;
   PairGradient<D> gradient_;

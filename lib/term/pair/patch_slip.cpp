@@ -18,11 +18,11 @@ using Turns = boost::container::static_vector<Small<double, D>, SurfacePatch<D>:
 Vec<2> across(const Vec<2>& a) { return {-a[1], a[0]}; }
 
 /// Returns, by node of a patch, the derivative of -g w x n by its displacement, with the rotation w of the patch at the
-/// foot.
-Turns<2> turns(const SurfacePatch<2>& patch, const SurfaceFoot<2>& foot) {
-  const auto slopes = patch.shape(foot.xi).slopes;
-  const Vec<2>& x = foot.frame.tangents[0];
-  const Vec<2> way = -foot.gap / inner(x, x) * across(foot.normal), along = across(x);
+/// closest point.
+Turns<2> turns(const SurfacePatch<2>& patch, const SurfaceProjection<2>& projection) {
+  const auto slopes = patch.shape(projection.xi).slopes;
+  const Vec<2>& x = projection.frame.tangents[0];
+  const Vec<2> way = -projection.gap / inner(x, x) * across(projection.normal), along = across(x);
   Turns<2> result(patch.count);
   for (std::size_t a = 0; a < patch.count; ++a)
     for (std::size_t i = 0; i < 2; ++i) result[a][i] = slopes[0][a] * way[i] * along;
@@ -49,17 +49,17 @@ const Quadrature& path_points() {
 }  // namespace
 
 void PatchSlip<2>::set(const SurfacePatch<2>::Weights& weights, std::size_t count, const Vec<2>& /*place*/,
-                       const SurfacePatch<2>& patch, const SurfaceFoot<2>& foot) {
-  plane_ = plane_across<2>(foot.normal);
+                       const SurfacePatch<2>& patch, const SurfaceProjection<2>& projection) {
+  plane_ = plane_across<2>(projection.normal);
   slips_.clear();
   const auto add = [&](double weight, Small<double, 2> slip) {
     for (std::size_t i = 0; i < 2; ++i) slip[i] = slip[i] + weight * plane_[i];
     slips_.push_back(slip);
   };
   for (std::size_t a = 0; a < count; ++a) add(weights[a], {});
-  const auto of_foot = patch.weights(foot.xi);
-  const auto turned = turns(patch, foot);
-  for (std::size_t a = 0; a < patch.count; ++a) add(-of_foot[a], turned[a]);
+  const auto of_projection = patch.weights(projection.xi);
+  const auto turned = turns(patch, projection);
+  for (std::size_t a = 0; a < patch.count; ++a) add(-of_projection[a], turned[a]);
 }
 
 PatchSlip<2>::Motion PatchSlip<2>::motion(const std::vector<int>& nodes, const double* u) const {
@@ -107,16 +107,16 @@ double PatchSlip<2>::squares(const std::vector<int>& nodes, const double* u) con
 }
 
 void PatchSlip<3>::set(const SurfacePatch<3>::Weights& weights, std::size_t count, const Vec<3>& place,
-                       const SurfacePatch<3>& patch, const SurfaceFoot<3>& foot) {
-  plane_ = plane_across<3>(foot.normal);
-  const auto shape = patch.shape(foot.xi);
+                       const SurfacePatch<3>& patch, const SurfaceProjection<3>& projection) {
+  plane_ = plane_across<3>(projection.normal);
+  const auto shape = patch.shape(projection.xi);
   weights_.clear();
   for (std::size_t a = 0; a < count; ++a) weights_.push_back({weights[a], 0, 0});
   for (std::size_t a = 0; a < patch.count; ++a)
     weights_.push_back({-shape.value[a], shape.slopes[0][a], shape.slopes[1][a]});
 
-  const Vec<3>&x = foot.frame.tangents[0], &y = foot.frame.tangents[1];
-  const Vec<3> r = place - foot.frame.place, m = PlacedPatch<3>::normal(foot.frame);
+  const Vec<3>&x = projection.frame.tangents[0], &y = projection.frame.tangents[1];
+  const Vec<3> r = place - projection.frame.place, m = PlacedPatch<3>::normal(projection.frame);
   for (std::size_t i = 0; i < 3; ++i) {
     start_[i] = r[i];
     start_[3 + i] = x[i];

@@ -10,10 +10,10 @@
 
 namespace ixos {
 
-/// The slip of a point with the patch of its foot, since the places that set() was told. The slip is a vector in the
-/// plane P = I - n n^T across the normal n of those places. It is a function of few numbers that are linear in the
-/// displacements, the Motion. A motion of both surfaces as one is no slip. `change` stands for the change of the Motion
-/// since then.
+/// The slip of a point with the patch of its closest point, since the places that set() was told. The slip is a vector
+/// in the plane P = I - n n^T across the normal n of those places. It is a function of few numbers that are linear in
+/// the displacements, the Motion. A motion of both surfaces as one is no slip. `change` stands for the change of the
+/// Motion since then.
 ///
 /// A force is the derivative of the slip times the traction, by the Motion: at the change itself (SlipKind::At), or
 /// averaged over the straight path to it (SlipKind::Mean). The mean times the change is the traction times the slip.
@@ -21,7 +21,7 @@ template <std::size_t D>
 class PatchSlip;
 
 /// In the plane the slip is linear. With the gap g, the weights S of the relative position, and the patch's tangent t
-/// and rotation w at the foot,
+/// and rotation w at the closest point,
 ///
 ///   slip = P (S du - g w x n),   w = t x N' du/(t . t).
 template <>
@@ -31,10 +31,10 @@ class PatchSlip<2> {
   using Motion = Vec<size>;  ///< the slip itself
   using Moduli = Small<double, size>;
 
-  /// `weights`: those of the point, of its patch's `count` nodes; `place`: of the point; `patch`: that of the foot.
-  /// Nodes are those of the point's patch, then those of the foot's.
+  /// `weights`: those of the point, of its patch's `count` nodes; `place`: of the point; `patch`: that of the closest
+  /// point. Nodes are those of the point's patch, then those of the closest point's.
   void set(const SurfacePatch<2>::Weights& weights, std::size_t count, const Vec<2>& place,
-           const SurfacePatch<2>& patch, const SurfaceFoot<2>& foot);
+           const SurfacePatch<2>& patch, const SurfaceProjection<2>& projection);
 
   const Small<double, 2>& plane() const { return plane_; }  ///< P
   /// Returns the Motion of a local array of displacements at the nodes.
@@ -62,17 +62,17 @@ class PatchSlip<2> {
 };
 
 /// In space no linear function of displacements vanishes for all rotations. The Motion has three vectors: the position
-/// r of the point from the place of the foot in the material, and the patch's tangents x_k there. No rotation changes
-/// their scalar products b_k = r . x_k and g_kl = x_k . x_l and their volume v = r . (x_1 x x_2). With the changes
-/// db_k, dg_kl and dv of these, and the dual vectors x^k, the normal m, the area A = |x_1 x x_2|, rho^k = r . x^k and h
-/// = r . m of the start,
+/// r of the point from the place of the closest point in the material, and the patch's tangents x_k there. No rotation
+/// changes their scalar products b_k = r . x_k and g_kl = x_k . x_l and their volume v = r . (x_1 x x_2). With the
+/// changes db_k, dg_kl and dv of these, and the dual vectors x^k, the normal m, the area A = |x_1 x x_2|, rho^k = r .
+/// x^k and h = r . m of the start,
 ///
 ///   slip = P [x^k (db_k - rho^l dg_kl/2) + m (dv/A - h x^k . x^l dg_kl/2)].
 ///
 /// For small displacements this is P (dr - w x r) with the rotation of the patch, w = sum of (m/2 c_k^T - c_k m^T)
-/// dx_k, c_k = m x x^k. Other parameters of the patch give the same slip. Where the patch has the normal n at the foot,
-/// the slip is x^k db_k. The mean force then has no moment about the mean of the places of both ends; at a kink its
-/// moment is of third order in the change.
+/// dx_k, c_k = m x x^k. Other parameters of the patch give the same slip. Where the patch has the normal n at the
+/// closest point, the slip is x^k db_k. The mean force then has no moment about the mean of the places of both ends; at
+/// a kink its moment is of third order in the change.
 template <>
 class PatchSlip<3> {
  public:
@@ -81,7 +81,7 @@ class PatchSlip<3> {
   using Moduli = Small<double, size>;
 
   void set(const SurfacePatch<3>::Weights& weights, std::size_t count, const Vec<3>& place,
-           const SurfacePatch<3>& patch, const SurfaceFoot<3>& foot);
+           const SurfacePatch<3>& patch, const SurfaceProjection<3>& projection);
 
   const Small<double, 3>& plane() const { return plane_; }
   Motion motion(const std::vector<int>& nodes, const double* u) const;

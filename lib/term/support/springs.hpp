@@ -39,6 +39,10 @@ class Springs final : public ForceTerm {
   double energy(const Place& at) const override;
   /// The factor of all stiffnesses, 1 at first, of which the load k w is no part.
   std::vector<std::string> parameters() const override { return {"Stiffness Factor"}; }
+  bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
+                                double* f) const override {
+    return add_factor_derivative(parameter, segment, rule, f);
+  }
 
   /// The driven work is that of the driven ends, less that of the load k w: the change of stretch_energy().
   StepWork accept(const AcceptedStep& step, TermHistories& histories) const override;

@@ -7,47 +7,47 @@
 #include <utility>
 #include <vector>
 
+#include "base/scratch.hpp"
 #include "interaction/gap_law.hpp"
 #include "interaction/passage.hpp"
-#include "term/wall/curved_sides.hpp"
 #include "term/wall/point_laws.hpp"
+#include "term/wall/side_ends.hpp"
+#include "term/wall/wall_sides.hpp"
 
 namespace ixos {
 
-/// Sides of one element type, the law that acts on them, and the obstacle. At a point x with gap g, normal n and second
+/// Sides in D dimensions, the law that acts on them, and the obstacle. At a point x with gap g, normal n and second
 /// derivatives H of the gap, the force per reference area is -T n and its tangent psi'' n n^T - T H.
-template <class SideElement, class Law>
+template <std::size_t D>
 class CurvedPoints {
  protected:
-  using Sides = CurvedSides<SideElement>;
-  using Ends = typename Sides::Ends;
-  static constexpr std::size_t D = Sides::D, N = Sides::N;
+  using Sides = CurvedWallSides<D>;
+  using Ends = SideEnds<D>;
   using Matrix = Small<Pack, D>;
-  using Laws = PointLaws<Law>;
 
-  CurvedPoints(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, const Law& law,
-               std::shared_ptr<const Obstacle> obstacle, int points)
+  CurvedPoints(const LocalMesh& mesh, const std::vector<LocalSide>& group, std::unique_ptr<Sides> sides,
+               const std::shared_ptr<const GapLaw>& law, std::shared_ptr<const Obstacle> obstacle)
       : obstacle_(std::move(obstacle)),
-        sides_(mesh, sides, pattern, points),
-        laws_(mesh, sides, sides_.quadrature().size(), law),
-        range_(law.range()) {}
+        sides_(std::move(sides)),
+        laws_(mesh, group, sides_->points(), law),
+        range_(law->range()) {}
 
   /// The force and its derivative at a quadrature point, times the measure.
   struct Response {
-    std::array<Pack, D> traction{};  ///< T n, the mean over the rule
-    Matrix stiffness{};              ///< the derivative of -traction by the displacement at the end of the segment
+    PackPoint traction{};  ///< T n, the mean over the rule
+    Matrix stiffness{};    ///< the derivative of -traction by the displacement at the end of the segment
     Pack least_gap = std::numeric_limits<double>::infinity();  ///< of the time points and the end
   };
 
   /// Returns the traction if With has Traction, the stiffness if it has Stiffness, and the least gap with the traction.
   /// The convex kind leaves out each part of the stiffness that is negative.
   enum With { Traction = 1, Stiffness = 2 };
-  template <int What, class Of>
-  Response respond(const Of& laws, const Ends& ends, std::size_t b, std::size_t q, const Rule& rule,
+  template <int What>
+  Response respond(const PointLaws::Kept& laws, const Ends& ends, std::size_t b, std::size_t q, const Rule& rule,
                    Tangent kind = Tangent::Exact) const {
     constexpr bool traction = (What & Traction) != 0, stiffness = (What & Stiffness) != 0;
     const bool convex = kind == Tangent::Convex;
-    const auto& law = laws.at(b, q);
+    const GapLawAt law = laws.at(b, q);
     const auto kept = [&](const Pack& x) { return convex ? select(x > 0.0, x, Pack(0.0)) : x; };
     Response result;
     bool end_is_seen = false;
@@ -80,7 +80,7 @@ class CurvedPoints {
     } else if (traction && !end_is_seen) {
       result.least_gap = smaller(result.least_gap, obstacle_->gap_or_less(ends.to(q)));
     }
-    const Pack& measure = sides_.measure(b)[q];
+    const Pack& measure = sides_->measure(b)[q];
     if (traction)
       for (Pack& value : result.traction) value *= measure;
     if (stiffness)
@@ -91,50 +91,51 @@ class CurvedPoints {
 
   /// Returns whether a state with that least gap is admissible. Minus infinity is beyond the edge of the obstacle.
   bool is_allowed(const Pack& least_gap) const {
-    const bool positive = laws_.whole().domain == GapDomain::Positive;
+    const bool positive = laws_.domain() == GapDomain::Positive;
     return least(least_gap) > (positive ? 0 : -std::numeric_limits<double>::infinity());
   }
 
-  template <class Of>
-  Matrix stiffness(const Of& laws, const Ends& ends, std::size_t b, std::size_t q, const Rule& rule,
+  Matrix stiffness(const PointLaws::Kept& laws, const Ends& ends, std::size_t b, std::size_t q, const Rule& rule,
                    Tangent kind) const {
     return respond<Stiffness>(laws, ends, b, q, rule, kind).stiffness;
   }
 
   /// Returns the sum of visit(law, place, sight, weight, area) over the points of sides that count on this rank;
   /// `weight` is the measure, `area` the one without the factor.
-  template <class Of, class Visit>
-  double sum_over_points(const Of& laws, const double* u, const Visit& visit) const {
+  template <class Visit>
+  double sum_over_points(const PointLaws::Kept& laws, const double* u, const Visit& visit) const {
     Pack sum = 0.0;
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, {nullptr, nullptr, u});
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const PackPoint x = ends.to(q);
-        sum += visit(laws.at(b, q), x, obstacle_->at(x), Pack(sides_.owned(b) * sides_.measure(b)[q]),
-                     Pack(sides_.owned(b) * sides_.area(b)[q]));
-      }
-    }
+    for_each_place(u, [&](std::size_t b, std::size_t q, const PackPoint& x) {
+      const Pack& owned = sides_->owned(b);
+      sum += visit(laws.at(b, q), x, obstacle_->at(x), Pack(owned * sides_->measure(b)[q]),
+                   Pack(owned * sides_->area(b)[q]));
+    });
     return total(sum);
+  }
+
+  /// Calls visit(batch, quadrature point, place).
+  template <class Visit>
+  void for_each_place(const double* u, const Visit& visit) const {
+    Scratch<PackPoint> x(sides_->points());
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      sides_->places(b, u, x.data());
+      for (std::size_t q = 0; q < x.size(); ++q) visit(b, q, x[q]);
+    }
   }
 
   /// See Admissibility::passage().
   LowestPoint find_passage(const double* from, const double* to) const {
-    const double scale = laws_.whole().equilibrium_gap(), short_way = scale / 8;
+    const double scale = laws_.equilibrium_gap(), short_way = scale / 8;
     LowestPoint lowest;
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const typename Sides::Vectors start = sides_.places_of(b, from), end = sides_.places_of(b, to);
-      Pack square = 0.0;
-      for (std::size_t a = 0; a < N; ++a) {
-        Pack own = 0.0;
-        for (std::size_t i = 0; i < D; ++i) own += (end[a][i] - start[a][i]) * (end[a][i] - start[a][i]);
-        square = std::experimental::max(square, own);
-      }
-      if (everywhere(square <= short_way * short_way)) continue;
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const PackPoint x0 = sides_.interpolate(q, start), x1 = sides_.interpolate(q, end);
+    Ends ends(*sides_, Ends::Of::Places, {from, nullptr, to});
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      if (everywhere(sides_->longest_way_square(b, from, to) <= short_way * short_way)) continue;
+      ends.set(b);
+      for (std::size_t q = 0; q < sides_->points(); ++q) {
+        const PackPoint &x0 = ends.from(q), &x1 = ends.to(q);
         const Pack looks = may_pass(*obstacle_, x0, x1, scale);
         if (everywhere(looks == 0.0)) continue;
-        for (std::size_t k = 0; k < sides_.batches().lanes(b); ++k) {
+        for (std::size_t k = 0; k < sides_->lanes(b); ++k) {
           if (looks[k] == 0) continue;
           const std::array<double, 3> last{x1[0][k], x1[1][k], x1[2][k]};
           const WayThrough way = way_through(*obstacle_, {x0[0][k], x0[1][k], x0[2][k]}, last);
@@ -145,19 +146,17 @@ class CurvedPoints {
     return lowest;
   }
 
-  /// See InteractionOverSteps.
+  /// See SurfaceInteractionTerm.
   template <class Visit>
   void for_each_gap(const double* u, const Visit& visit) const {
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, {nullptr, nullptr, u});
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
-        visit(b, q, obstacle_->gap(ends.to(q)), Pack(sides_.owned(b) * sides_.measure(b)[q]));
-    }
+    for_each_place(u, [&](std::size_t b, std::size_t q, const PackPoint& x) {
+      visit(b, q, obstacle_->gap(x), Pack(sides_->owned(b) * sides_->measure(b)[q]));
+    });
   }
 
   std::shared_ptr<const Obstacle> obstacle_;
-  Sides sides_;
-  Laws laws_;
+  std::unique_ptr<Sides> sides_;
+  PointLaws laws_;
 
  private:
   /// Returns whether no force acts at a place in any lane.

@@ -1,18 +1,22 @@
 /// Sides before an obstacle of any shape: from displacements to the places of quadrature points.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
+#include <memory>
 
 #include "interaction/obstacle.hpp"
-#include "term/force_term.hpp"
 #include "term/wall/surface_sides.hpp"
 
 namespace ixos {
 
-/// Nodal arrays of a batch of sides are vectors.
+/// Nodal arrays of a batch of sides are vectors. Where sides are made, term/wall/point_matrices.hpp is included.
 template <class SideElement>
-class CurvedSides : public SurfaceSides<SideElement> {
-  using Base = SurfaceSides<SideElement>;
+class CurvedSides final : public SurfaceSides<SideElement, CurvedWallSides<SideElement::dimension + 1>> {
+  using Base = SurfaceSides<SideElement, CurvedWallSides<SideElement::dimension + 1>>;
+  using Interface = CurvedWallSides<SideElement::dimension + 1>;
+  using typename Interface::SightOf;
 
  public:
   using Base::Base;
@@ -86,11 +90,56 @@ class CurvedSides : public SurfaceSides<SideElement> {
     return normals;
   }
 
-  /// Adds the tangent of a batch from the matrices of its quadrature points.
-  void scatter_tangent(std::size_t b, const Small<Pack, D>* matrices, double* values) const {
+  void places(std::size_t b, const double* u, PackPoint* x) const override { interpolate_all(places_of(b, u), x); }
+  void changes(std::size_t b, const double* local, PackPoint* x) const override {
+    interpolate_all(change_of(b, local), x);
+  }
+
+  void add_forces(std::size_t b, const PackPoint* t, double* f) const override {
+    Vectors force{};
+    for (std::size_t q = 0; q < quadrature().size(); ++q) {
+      const auto& shape = quadrature().value[q];
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i) force[a][i] += shape[a] * t[q][i];
+    }
+    batches().scatter_force(b, force, f);
+  }
+  void add_tangent(std::size_t b, const Small<Pack, D>* k, double* values) const override {
     Small<Pack, N * D> tangent;
-    sum_over_points(quadrature(), matrices, tangent);
+    sum_over_points(quadrature(), k, tangent);
     batches().scatter_tangent(b, tangent, values);
+  }
+  void add_row_sums(std::size_t b, const PackPoint* t, double* sums) const override {
+    Vectors rows{};
+    for (std::size_t q = 0; q < quadrature().size(); ++q) {
+      const auto& shape = quadrature().value[q];
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i) rows[a][i] += std::abs(shape[a]) * t[q][i];
+    }
+    batches().scatter_force(b, rows, sums);
+  }
+  std::unique_ptr<typename Interface::Matrices> create_matrices() const override;
+
+  Pack longest_way_square(std::size_t b, const double* from, const double* to) const override {
+    const Vectors start = places_of(b, from), end = places_of(b, to);
+    Pack square = 0.0;
+    for (std::size_t a = 0; a < N; ++a) {
+      Pack own = 0.0;
+      for (std::size_t i = 0; i < D; ++i) own += (end[a][i] - start[a][i]) * (end[a][i] - start[a][i]);
+      square = std::experimental::max(square, own);
+    }
+    return square;
+  }
+  LowestPoint lowest_gap(const double* u, const std::function<Pack(const PackPoint&)>& gap_of) const override {
+    return this->lowest_point(u, [&](std::size_t b) {
+      return [&gap_of, x = places_of(b, u)](const auto& shape) { return gap_of(interpolate(shape, x)); };
+    });
+  }
+  void lower_nodal_gaps(const double* u, const SightOf& sight_of, double* by_node) const override {
+    for (std::size_t b = 0; b < this->size(); ++b) this->lower_nodal(b, nodal_gaps(b, u, sight_of), by_node);
+  }
+  void set_nodal_normals(const double* u, const SightOf& sight_of, double* local) const override {
+    for (std::size_t b = 0; b < this->size(); ++b) this->set_nodal(b, nodal_normals(b, u, sight_of), local);
   }
 
   /// Sets a tangent to the sum of N_a k N_c over the points of an element's table with a matrix k at each. The blocks
@@ -111,35 +160,10 @@ class CurvedSides : public SurfaceSides<SideElement> {
       }
   }
 
-  /// Places of one batch's quadrature points along a segment. The sides must outlive it.
-  class Ends {
-   public:
-    Ends(const CurvedSides& sides, std::size_t b, const Segment& segment)
-        : sides_(sides), has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
-      to_ = sides.places_of(b, segment.to);
-      if (has_from_) from_ = sides.places_of(b, segment.from);
-      if (has_velocity_) velocity_ = sides.change_of(b, segment.velocity);
-    }
-    PackPoint to(std::size_t q) const { return sides_.interpolate(q, to_); }
-    /// Returns the place at the start. The segment must have one.
-    PackPoint from(std::size_t q) const { return sides_.interpolate(q, from_); }
-    /// Returns the place at a time point.
-    PackPoint at(std::size_t q, const RulePoint& point) const {
-      PackPoint x = to(q);
-      for (Pack& component : x) component *= point.to;
-      const auto add = [&](double factor, const PackPoint& part) {
-        for (std::size_t i = 0; i < 3; ++i) x[i] += factor * part[i];
-      };
-      if (has_from_) add(point.from, from(q));
-      if (has_velocity_) add(point.velocity, sides_.interpolate(q, velocity_));
-      return x;
-    }
-
-   private:
-    const CurvedSides& sides_;
-    bool has_from_, has_velocity_;
-    Vectors to_, from_, velocity_;
-  };
+ private:
+  void interpolate_all(const Vectors& nodal, PackPoint* x) const {
+    for (std::size_t q = 0; q < quadrature().size(); ++q) x[q] = interpolate(q, nodal);
+  }
 };
 
 }  // namespace ixos

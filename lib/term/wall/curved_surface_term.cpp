@@ -1,23 +1,23 @@
 // Interaction of a surface with an obstacle of any shape.
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
-#include "interaction/damage_law.hpp"
+#include "base/scratch.hpp"
 #include "term/wall/curved_points.hpp"
-#include "term/wall/point_matrices.hpp"
+#include "term/wall/side_action.hpp"
 #include "term/wall/surface_terms.hpp"
 
 namespace ixos {
 namespace {
 
-/// Sides of one element type.
-template <class SideElement, class Law>
-class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<SideElement, Law>, Law>,
-                                private CurvedPoints<SideElement, Law> {
-  using Points = CurvedPoints<SideElement, Law>;
-  using Points::D;
+/// Sides in D dimensions.
+template <std::size_t D>
+class CurvedSurfaceTerm final : public SurfaceInteractionTerm<CurvedSurfaceTerm<D>>, private CurvedPoints<D> {
+  using Points = CurvedPoints<D>;
   using Points::for_each_gap;
+  using Points::for_each_place;
   using Points::is_allowed;
   using Points::laws_;
   using Points::obstacle_;
@@ -27,35 +27,24 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
   using typename Points::Ends;
   using typename Points::Matrix;
   using typename Points::Sides;
-  static constexpr std::size_t N = Sides::N;
-  using Vectors = typename Sides::Vectors;
-  friend InteractionOverSteps<CurvedSurfaceTerm, Law>;
-  friend SurfaceInteractionTerm<CurvedSurfaceTerm, Law>;
+  friend SurfaceInteractionTerm<CurvedSurfaceTerm>;
 
  public:
-  CurvedSurfaceTerm(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, const Law& law,
-                    std::shared_ptr<const Obstacle> obstacle, const SurfaceOptions& options)
-      : Points(mesh, sides, pattern, law, std::move(obstacle), options.points), margin_(options.margin) {
-    sides_.scale(options.factor);
-  }
+  CurvedSurfaceTerm(const LocalMesh& mesh, const std::vector<LocalSide>& group, std::unique_ptr<Sides> sides,
+                    const std::shared_ptr<const GapLaw>& law, std::shared_ptr<const Obstacle> obstacle, double margin)
+      : Points(mesh, group, std::move(sides), law, std::move(obstacle)), margin_(margin) {}
 
   /// The exact mean follows the mean normal, whose force has no potential.
   bool is_gradient(const Rule& rule) const override { return rule.mean == Mean::Points; }
 
-  void place(const Pattern& pattern) override { sides_.place(pattern); }
+  void place(const Pattern& pattern) override { sides_->place(pattern); }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     return add_force_with<Points::Traction>(segment, rule, f, [](std::size_t, std::size_t, const Matrix&) {});
   }
 
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
-    const auto& laws = this->laws(segment.histories);
-    std::vector<Matrix> matrices(sides_.quadrature().size());
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, segment);
-      for (std::size_t q = 0; q < matrices.size(); ++q) matrices[q] = stiffness(laws, ends, b, q, rule, kind);
-      sides_.scatter_tangent(b, matrices.data(), values);
-    }
+    for_each_stiffness(segment, rule, kind, [&](std::size_t b, const Matrix* k) { sides_->add_tangent(b, k, values); });
   }
 
   std::unique_ptr<KeptPoints> create_kept() const override { return std::make_unique<Kept>(); }
@@ -63,8 +52,8 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
   /// Keeps the matrix of each quadrature point.
   bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const override {
     auto& matrices = static_cast<Kept&>(kept).stiffness;
-    const std::size_t points = sides_.quadrature().size();
-    matrices.resize(sides_.size() * points);
+    const std::size_t points = sides_->points();
+    matrices.resize(sides_->size() * points);
     return add_force_with<Points::Traction | Points::Stiffness>(
         segment, rule, f, [&](std::size_t b, std::size_t q, const Matrix& k) { matrices[b * points + q] = k; });
   }
@@ -73,55 +62,57 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
                         double* values) const override {
     if (kind != Tangent::Exact) return add_tangent(segment, rule, kind, values);
     const Matrix* matrices = static_cast<const Kept&>(kept).stiffness.data();
-    for (std::size_t b = 0; b < sides_.size(); ++b)
-      sides_.scatter_tangent(b, matrices + b * sides_.quadrature().size(), values);
+    for (std::size_t b = 0; b < sides_->size(); ++b) sides_->add_tangent(b, matrices + b * sides_->points(), values);
   }
 
-  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<Action>(*this); }
+  std::unique_ptr<TangentAction> create_action() const override {
+    return std::make_unique<SideAction<Sides>>(
+        *sides_, [this](const Segment& segment, const Rule& rule, Tangent kind, typename Sides::Matrices& matrices) {
+          for_each_stiffness(segment, rule, kind, [&](std::size_t b, const Matrix* k) { matrices.set(b, k); });
+        });
+  }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
-    const auto& laws = this->laws(segment.histories);
+    const PointLaws::Kept laws = this->laws(segment.histories);
     const Rule rule = end_rule();
     Pack least_gap = 1.0;
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, {nullptr, nullptr, segment.to});
-      Vectors rows{};
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const auto& shape = sides_.quadrature().value[q];
+    Ends ends(*sides_, Ends::Of::Places, {nullptr, nullptr, segment.to});
+    Scratch<PackPoint> rows(sides_->points());
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      ends.set(b);
+      for (std::size_t q = 0; q < rows.size(); ++q) {
         const auto response = Points::template respond<Points::Traction | Points::Stiffness>(laws, ends, b, q, rule);
         least_gap = smaller(least_gap, response.least_gap);
-        double total_shape = 0;
-        for (double value : shape) total_shape += std::abs(value);
         for (std::size_t i = 0; i < D; ++i) {
           Pack sum = 0.0;
           for (std::size_t j = 0; j < D; ++j) sum += std::experimental::abs(response.stiffness[i][j]);
-          for (std::size_t a = 0; a < N; ++a) rows[a][i] += (std::abs(shape[a]) * total_shape) * sum;
+          rows[q][i] = sides_->total_shape(q) * sum;
         }
       }
-      sides_.batches().scatter_force(b, rows, sums);
+      sides_->add_row_sums(b, rows.data(), sums);
     }
     return is_allowed(least_gap);
   }
 
   double energy(const Place& at) const override {
     return sum_over_points(this->laws(at.histories), at.u,
-                           [&](const auto& law, const PackPoint&, const Sight& sight, const Pack& weight, const Pack&) {
-                             return weight * law.energy(sight.gap);
-                           });
+                           [&](const GapLawAt& law, const PackPoint&, const Sight& sight, const Pack& weight,
+                               const Pack&) { return weight * law.energy(sight.gap); });
   }
 
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
     if (!this->needs_positive_gaps()) return 1;
     Pack step = 1.0;
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, segment);
-      const Vectors change = sides_.change_of(b, direction);
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const PackPoint d = sides_.interpolate(q, change);
+    Ends ends(*sides_, Ends::Of::Places, segment);
+    Scratch<PackPoint> changes(sides_->points());
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      ends.set(b);
+      sides_->changes(b, direction, changes.data());
+      for (std::size_t q = 0; q < changes.size(); ++q) {
         const auto restrict_to = [&](const PackPoint& x, double share) {
           PackPoint way;
-          for (std::size_t i = 0; i < 3; ++i) way[i] = share * d[i];
-          const Pack least_gap = margin_ * smaller(obstacle_->gap(x), laws_.whole().equilibrium_gap());
+          for (std::size_t i = 0; i < 3; ++i) way[i] = share * changes[q][i];
+          const Pack least_gap = margin_ * smaller(obstacle_->gap(x), laws_.equilibrium_gap());
           step = smaller(step, obstacle_->admissible_step(x, way, least_gap));
         };
         restrict_to(ends.to(q), 1);
@@ -139,12 +130,13 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
 
   double gap_ratio(const Segment& way) const override {
     if (!this->needs_positive_gaps()) return 1;
-    const double near = 10 * laws_.whole().equilibrium_gap();
+    const double near = 10 * laws_.equilibrium_gap();
     double largest = 1;
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, {way.from, nullptr, way.to});
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const PackPoint start = ends.from(q), end = ends.to(q);
+    Ends ends(*sides_, Ends::Of::Places, {way.from, nullptr, way.to});
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      ends.set(b);
+      for (std::size_t q = 0; q < sides_->points(); ++q) {
+        const PackPoint &start = ends.from(q), &end = ends.to(q);
         const Pack r0 = obstacle_->gap(start), r1 = obstacle_->gap(end), lesser = smaller(r0, r1);
         // The straight path can pass nearer than its ends. If it leads through the obstacle, its ratio is large but
         // finite, because its logarithm sets the next step.
@@ -160,8 +152,8 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
   double rounding(const Place& at) const override {
     return sum_over_points(
         this->laws(at.histories), at.u,
-        [&](const auto& law, const PackPoint& x, const Sight& sight, const Pack& weight, const Pack&) {
-          const Pack near = smaller(sight.gap, laws_.whole().equilibrium_gap());  // a step may lead there
+        [&](const GapLawAt& law, const PackPoint& x, const Sight& sight, const Pack& weight, const Pack&) {
+          const Pack near = smaller(sight.gap, laws_.equilibrium_gap());  // a step may lead there
           const Pack force =
               weight * (law.magnitude(sight.gap) + std::experimental::abs(law.stiffness(near)) * obstacle_->size_at(x));
           return force * force;
@@ -169,39 +161,32 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
   }
 
   LowestPoint lowest_point(const Place& at) const override {
-    return sides_.lowest_point(at.u, [&](std::size_t b) {
-      return [this, x = sides_.places_of(b, at.u)](const auto& shape) {
-        return obstacle_->gap(Sides::interpolate(shape, x));
-      };
-    });
+    return sides_->lowest_gap(at.u, [this](const PackPoint& x) { return obstacle_->gap(x); });
   }
 
   LowestPoint passage(const Segment& way) const override { return Points::find_passage(way.from, way.to); }
 
   void add_nodal_measure(CountedSides& counted, double* measure) const override {
-    sides_.add_nodal_measure(counted, measure);
+    sides_->add_nodal_measure(counted, measure);
   }
-
   void lower_nodal_gap(const Place& at, double* gap) const override {
-    for (std::size_t b = 0; b < sides_.size(); ++b)
-      sides_.lower_nodal(b, sides_.nodal_gaps(b, at.u, [&](const PackPoint& x) { return obstacle_->at(x); }), gap);
+    sides_->lower_nodal_gaps(
+        at.u, [this](const PackPoint& x) { return obstacle_->at(x); }, gap);
   }
-
   void set_nodal_normal(const Place& at, double* normal) const override {
-    for (std::size_t b = 0; b < sides_.size(); ++b)
-      sides_.set_nodal(
-          b, sides_.nodal_normals(b, at.u, [&](const PackPoint& x) { return obstacle_->gap_and_normal(x); }), normal);
+    sides_->set_nodal_normals(
+        at.u, [this](const PackPoint& x) { return obstacle_->gap_and_normal(x); }, normal);
   }
 
   void report(const Place& at, InteractionReport& report) const override {
     report.force.resize(D, 0.0);
     report.measure += sum_over_points(
         this->laws(at.histories), at.u,
-        [&](const auto& law, const PackPoint&, const Sight& sight, const Pack& weight, const Pack& area) {
+        [&](const GapLawAt& law, const PackPoint&, const Sight& sight, const Pack& weight, const Pack& area) {
           report.least_gap = std::min(report.least_gap, least(sight.gap));
           const Pack force = weight * law.traction(sight.gap);
           for (std::size_t i = 0; i < D; ++i) report.force[i] += total(Pack(force * sight.normal[i]));
-          return select(sight.gap < laws_.whole().adhesion_gap(), area, Pack(0.0));
+          return select(sight.gap < laws_.adhesion_gap(), area, Pack(0.0));
         });
   }
 
@@ -210,62 +195,51 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
     std::vector<Matrix> stiffness;  ///< batches x quadrature points
   };
 
-  /// See InteractionOverSteps.
+  /// See SurfaceInteractionTerm.
   void add_nodal_pressure(const Place& at, double* force) const {
-    const auto& laws = this->laws(at.histories);
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, {nullptr, nullptr, at.u});
-      std::array<Pack, N> sums{};
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const Pack traction = sides_.measure(b)[q] * laws.at(b, q).traction(obstacle_->gap(ends.to(q)));
-        sides_.add_weighted(b, q, traction, sums);
-      }
-      sides_.add_nodal(b, sums, force);
+    const PointLaws::Kept laws = this->laws(at.histories);
+    Scratch<PackPoint> x(sides_->points());
+    Scratch<Pack> pressure(x.size());
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      sides_->places(b, at.u, x.data());
+      for (std::size_t q = 0; q < x.size(); ++q)
+        pressure[q] = sides_->measure(b)[q] * laws.at(b, q).traction(obstacle_->gap(x[q]));
+      sides_->add_weighted_nodal(b, pressure.data(), force);
     }
   }
 
   /// Adds the force and calls keep(batch, point, stiffness).
   template <int What, class Keep>
   bool add_force_with(const Segment& segment, const Rule& rule, double* f, const Keep& keep) const {
-    const auto& laws = this->laws(segment.histories);
+    const PointLaws::Kept laws = this->laws(segment.histories);
     Pack least_gap = 1.0;
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, segment);
-      Vectors force{};
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+    Ends ends(*sides_, Ends::Of::Places, segment);
+    Scratch<PackPoint> forces(sides_->points());
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      ends.set(b);
+      for (std::size_t q = 0; q < forces.size(); ++q) {
         const auto response = Points::template respond<What>(laws, ends, b, q, rule);
         least_gap = smaller(least_gap, response.least_gap);
         keep(b, q, response.stiffness);
-        const auto& shape = sides_.quadrature().value[q];
-        for (std::size_t a = 0; a < N; ++a)
-          for (std::size_t i = 0; i < D; ++i) force[a][i] -= shape[a] * response.traction[i];
+        for (std::size_t i = 0; i < 3; ++i) forces[q][i] = -response.traction[i];
       }
-      sides_.batches().scatter_force(b, force, f);
+      sides_->add_forces(b, forces.data(), f);
     }
     return is_allowed(least_gap);
   }
 
-  class Action final : public TangentAction {
-   public:
-    explicit Action(const CurvedSurfaceTerm& term) : term_(term), stiffness_(term.sides_) {}
-
-    void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override {
-      const auto& laws = term_.laws(segment.histories);
-      for (std::size_t b = 0; b < term_.sides_.size(); ++b) {
-        const Ends ends(term_.sides_, b, segment);
-        for (std::size_t q = 0; q < term_.sides_.quadrature().size(); ++q)
-          stiffness_(b, q) = term_.stiffness(laws, ends, b, q, rule, kind);
-      }
+  /// Calls visit(batch, stiffnesses of its points).
+  template <class Visit>
+  void for_each_stiffness(const Segment& segment, const Rule& rule, Tangent kind, const Visit& visit) const {
+    const PointLaws::Kept laws = this->laws(segment.histories);
+    Ends ends(*sides_, Ends::Of::Places, segment);
+    Scratch<Matrix> k(sides_->points());
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      ends.set(b);
+      for (std::size_t q = 0; q < k.size(); ++q) k[q] = stiffness(laws, ends, b, q, rule, kind);
+      visit(b, k.data());
     }
-    void add_product(const double* x, double* y) const override { stiffness_.add_product(x, y); }
-    void add_diagonal(double* d) const override { stiffness_.add_diagonal(d); }
-    bool has_coarse() const override { return term_.sides_.may_be_coarsened(); }
-    void add_coarse(const CoarseSpace& coarse, double* values) const override { stiffness_.add_coarse(coarse, values); }
-
-   private:
-    const CurvedSurfaceTerm& term_;
-    PointMatrices<SideElement> stiffness_;
-  };
+  }
 
   double margin_;
 };
@@ -275,9 +249,10 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
 Interactions make_curved_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
                                const std::shared_ptr<const GapLaw>& law,
                                const std::shared_ptr<const Obstacle>& obstacle, const SurfaceOptions& options) {
-  if (const auto* own = dynamic_cast<const GapLawOf<DamageLaw>*>(law.get()))
-    return make_terms<CurvedSurfaceTerm>(mesh, sides, pattern, own->law(), obstacle, options);
-  return make_terms<CurvedSurfaceTerm>(mesh, sides, pattern, AnyGapLaw(law), obstacle, options);
+  const auto make_sides = [&](const SideGroup& group, auto dimension) {
+    return make_curved_sides<dimension.value>(mesh, group, pattern, options.points);
+  };
+  return make_terms<CurvedSurfaceTerm>(mesh, sides, options, make_sides, law, obstacle, options.margin);
 }
 
 }  // namespace ixos

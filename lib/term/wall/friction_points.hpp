@@ -6,28 +6,28 @@
 #include <utility>
 #include <vector>
 
+#include "base/scratch.hpp"
 #include "interaction/friction_step.hpp"
 #include "interaction/obstacle.hpp"
 #include "state/history.hpp"
 #include "state/place.hpp"
 #include "term/interaction.hpp"
 #include "term/slip_history.hpp"
-#include "term/wall/curved_sides.hpp"
+#include "term/wall/wall_sides.hpp"
 
 namespace ixos {
 
-/// Sides of one element type, the friction law, and the obstacle. A TermHistory keeps at each point the traction that
+/// Sides in D dimensions, the friction law, and the obstacle. A TermHistory keeps at each point the traction that
 /// resists slip [E0], and the numbers of friction. The elastic slip is that traction over eps; smoothed friction has
 /// none.
 ///
 /// A step's slip is (I - n n^T)(u - u_n) with the normal n of the step's start. The potential of a step is therefore a
 /// function of the displacement u alone, and its forces are gradients if the threshold is that of the start. In a state
 /// that is not on the way of a step, the traction is the kept one, whatever the displacement.
-template <class SideElement>
+template <std::size_t D>
 class FrictionPoints {
  public:
-  using Sides = CurvedSides<SideElement>;
-  static constexpr std::size_t D = Sides::D, N = Sides::N;
+  using Sides = CurvedWallSides<D>;
   using Vector = std::array<Pack, D>;
   using Response = SlipResponse<Pack, D>;
   using Step = FrictionStep<Pack, D>;
@@ -43,15 +43,18 @@ class FrictionPoints {
     double creep_length = 0;    ///< length up to which smoothed friction grows, see SmoothedSlip
   };
 
-  FrictionPoints(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
-                 const FrictionLaw& law, std::shared_ptr<const Obstacle> obstacle, int points)
+  FrictionPoints(const LocalMesh& mesh, const std::vector<LocalSide>& group, std::unique_ptr<Sides> sides,
+                 const FrictionLaw& law, std::shared_ptr<const Obstacle> obstacle)
       : law_(law),
         obstacle_(std::move(obstacle)),
-        sides_(mesh, sides, pattern, points),
-        nothing_(mesh, sides, sides_.quadrature().size(), D + 3) {}
+        sides_(std::move(sides)),
+        nothing_(mesh, group, sides_->points(), D + 3),
+        reference_(sides_->size() * sides_->points()) {
+    for (std::size_t b = 0; b < sides_->size(); ++b)
+      sides_->changes(b, mesh.coordinates.data(), &reference_[index(b, 0)]);
+  }
 
-  Sides& sides() { return sides_; }
-  const Sides& sides() const { return sides_; }
+  Sides& sides() const { return *sides_; }
   const FrictionLaw& law() const { return law_; }
   const Obstacle& obstacle() const { return *obstacle_; }
 
@@ -119,8 +122,22 @@ class FrictionPoints {
   /// threshold [E0/L0].
   Pack largest_stiffness(std::size_t b, std::size_t q, const Vector& u) const;
 
-  /// Returns a nodal array's vector at a quadrature point.
-  Vector at(std::size_t q, const typename Sides::Vectors& nodal) const { return first(sides_.interpolate(q, nodal)); }
+  /// Returns the components that a vector has in D dimensions.
+  static Vector first(const PackPoint& point) {
+    Vector result;
+    for (std::size_t i = 0; i < D; ++i) result[i] = point[i];
+    return result;
+  }
+
+  /// Calls visit(batch, quadrature point, displacement).
+  template <class Visit>
+  void for_each(const double* u, const Visit& visit) const {
+    Scratch<PackPoint> at(sides_->points());
+    for (std::size_t b = 0; b < sides_->size(); ++b) {
+      sides_->changes(b, u, at.data());
+      for (std::size_t q = 0; q < at.size(); ++q) visit(b, q, first(at[q]));
+    }
+  }
 
  private:
   double creep_length(double length) const { return law_.friction().slip_speed * length; }
@@ -134,17 +151,12 @@ class FrictionPoints {
   static std::size_t place_of(SurfaceNumber number) {
     return D + static_cast<std::size_t>(number) - static_cast<std::size_t>(SurfaceNumber::Slip);
   }
-  static Vector first(const PackPoint& point) {
-    Vector result;
-    for (std::size_t i = 0; i < D; ++i) result[i] = point[i];
-    return result;
-  }
   static Vector kept_traction(const PointData& kept, std::size_t b, std::size_t q) {
     Vector t;
     for (std::size_t i = 0; i < D; ++i) t[i] = kept(b, q, i);
     return t;
   }
-  std::size_t index(std::size_t b, std::size_t q) const { return b * sides_.quadrature().size() + q; }
+  std::size_t index(std::size_t b, std::size_t q) const { return b * sides_->points() + q; }
   Contact contact_at(const PackPoint& x) const;
   PackPoint place(std::size_t b, std::size_t q, const Vector& u) const;
   Pack threshold_at(std::size_t b, std::size_t q, const Vector& u) const {
@@ -155,8 +167,9 @@ class FrictionPoints {
 
   FrictionLaw law_;
   std::shared_ptr<const Obstacle> obstacle_;
-  Sides sides_;
-  PointData nothing_;  ///< zero traction, then zero numbers
+  std::unique_ptr<Sides> sides_;
+  PointData nothing_;                 ///< zero traction, then zero numbers
+  std::vector<PackPoint> reference_;  ///< places of the points without displacement
 };
 
 }  // namespace ixos

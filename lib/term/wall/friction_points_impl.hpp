@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-template <class SideElement>
-typename FrictionPoints<SideElement>::Contact FrictionPoints<SideElement>::contact_at(const PackPoint& x) const {
+template <std::size_t D>
+typename FrictionPoints<D>::Contact FrictionPoints<D>::contact_at(const PackPoint& x) const {
   const Sight sight = obstacle_->gap_and_normal(x);
   Contact contact{sight.gap, first(sight.normal), {}};
   const Pack square = inner(contact.gradient, contact.gradient);
@@ -16,16 +16,15 @@ typename FrictionPoints<SideElement>::Contact FrictionPoints<SideElement>::conta
   return contact;
 }
 
-template <class SideElement>
-PackPoint FrictionPoints<SideElement>::place(std::size_t b, std::size_t q, const Vector& u) const {
-  PackPoint x = sides_.interpolate(q, sides_.reference(b));
+template <std::size_t D>
+PackPoint FrictionPoints<D>::place(std::size_t b, std::size_t q, const Vector& u) const {
+  PackPoint x = reference_[index(b, q)];
   for (std::size_t i = 0; i < D; ++i) x[i] += u[i];
   return x;
 }
 
-template <class SideElement>
-typename FrictionPoints<SideElement>::Vector FrictionPoints<SideElement>::slip_since(const Start& start,
-                                                                                     const Vector& u) const {
+template <std::size_t D>
+typename FrictionPoints<D>::Vector FrictionPoints<D>::slip_since(const Start& start, const Vector& u) const {
   Vector slip;
   for (std::size_t i = 0; i < D; ++i) slip[i] = u[i] - start.u[i];
   const Pack along = inner(start.normal, slip);
@@ -33,34 +32,27 @@ typename FrictionPoints<SideElement>::Vector FrictionPoints<SideElement>::slip_s
   return slip;
 }
 
-template <class SideElement>
-void FrictionPoints<SideElement>::begin(const double* u, double length, const TermHistory& history,
-                                        Memory& step) const {
+template <std::size_t D>
+void FrictionPoints<D>::begin(const double* u, double length, const TermHistory& history, Memory& step) const {
   const PointData& kept = history.points.front().values;
-  step.starts.resize(sides_.size() * sides_.quadrature().size());
-  step.is_idle.resize(sides_.size());
-  for (std::size_t b = 0; b < sides_.size(); ++b) {
-    const auto nodal = sides_.change_of(b, u);
-    bool idle = !law_.friction().current;  // a current threshold may begin within the step
-    for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-      Start& start = step.starts[index(b, q)];
-      start.u = at(q, nodal);
-      const Contact contact = contact_at(place(b, q, start.u));
-      start.normal = contact.normal;
-      start.threshold = law_.threshold(contact.gap);
-      const Vector stored = kept_traction(kept, b, q);
-      idle = idle && everywhere(start.threshold == 0.0 && inner(stored, stored) == 0.0);
-    }
-    step.is_idle[b] = idle;
-  }
+  step.starts.resize(sides_->size() * sides_->points());
+  step.is_idle.assign(sides_->size(), !law_.friction().current);  // a current threshold may begin within the step
+  for_each(u, [&](std::size_t b, std::size_t q, const Vector& here) {
+    Start& start = step.starts[index(b, q)];
+    start.u = here;
+    const Contact contact = contact_at(place(b, q, start.u));
+    start.normal = contact.normal;
+    start.threshold = law_.threshold(contact.gap);
+    const Vector stored = kept_traction(kept, b, q);
+    if (!everywhere(start.threshold == 0.0 && inner(stored, stored) == 0.0)) step.is_idle[b] = false;
+  });
   set_length(length, step);
 }
 
-template <class SideElement>
+template <std::size_t D>
 template <SlipPart part>
-typename FrictionPoints<SideElement>::Response FrictionPoints<SideElement>::In::respond(std::size_t b, std::size_t q,
-                                                                                        const Vector& u, SlipKind kind,
-                                                                                        Tangent tangent) const {
+typename FrictionPoints<D>::Response FrictionPoints<D>::In::respond(std::size_t b, std::size_t q, const Vector& u,
+                                                                    SlipKind kind, Tangent tangent) const {
   if (step_ == nullptr) return {traction(b, q), {}, {}};
   const Start& start = this->start(b, q);
   Small<Pack, D> plane;
@@ -77,25 +69,25 @@ typename FrictionPoints<SideElement>::Response FrictionPoints<SideElement>::In::
   return result;
 }
 
-template <class SideElement>
-Pack FrictionPoints<SideElement>::In::energy(std::size_t b, std::size_t q, const Vector& u) const {
+template <std::size_t D>
+Pack FrictionPoints<D>::In::energy(std::size_t b, std::size_t q, const Vector& u) const {
   if (step_ == nullptr) return Step(points_.law_.friction(), 0.0, traction(b, q), 0.0).stored_energy();
   return step(b, q, u).energy(points_.slip_since(start(b, q), u));
 }
 
-template <class SideElement>
-Pack FrictionPoints<SideElement>::In::mean_potential(std::size_t b, std::size_t q, const Vector& u) const {
+template <std::size_t D>
+Pack FrictionPoints<D>::In::mean_potential(std::size_t b, std::size_t q, const Vector& u) const {
   return step(b, q, u).mean_potential(points_.slip_since(start(b, q), u));
 }
 
-template <class SideElement>
-Pack FrictionPoints<SideElement>::In::acting_stiffness(std::size_t b, std::size_t q, const Vector& u) const {
+template <std::size_t D>
+Pack FrictionPoints<D>::In::acting_stiffness(std::size_t b, std::size_t q, const Vector& u) const {
   if (step_ == nullptr) return 0.0;  // the traction is constant
   return step(b, q, u).acting_stiffness(points_.slip_since(start(b, q), u));
 }
 
-template <class SideElement>
-Pack FrictionPoints<SideElement>::largest_stiffness(std::size_t b, std::size_t q, const Vector& u) const {
+template <std::size_t D>
+Pack FrictionPoints<D>::largest_stiffness(std::size_t b, std::size_t q, const Vector& u) const {
   const Contact here = contact_at(place(b, q, u));
   const Pack spring = select(law_.threshold(here.gap) > 0.0, Pack(law_.friction().stiffness), Pack(0.0));
   if (!law_.friction().current) return spring;
@@ -105,53 +97,45 @@ Pack FrictionPoints<SideElement>::largest_stiffness(std::size_t b, std::size_t q
 }
 
 /// Updates what the points keep. The traction is carried along with the tangent plane.
-template <class SideElement>
-double FrictionPoints<SideElement>::accept(const double* u, double length, const Memory& step,
-                                           TermHistory& history) const {
+template <std::size_t D>
+double FrictionPoints<D>::accept(const double* u, double length, const Memory& step, TermHistory& history) const {
   const In points(*this, history, &step, creep_length(length));
   PointData& kept = history.points.front().values;
   Pack sum = 0.0, work = 0.0, lag = 0.0;
-  for (std::size_t b = 0; b < sides_.size(); ++b) {
-    const auto nodal = sides_.change_of(b, u);
-    for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-      const Vector end_u = at(q, nodal);
-      const Contact end = contact_at(place(b, q, end_u));
-      const Pack begins = points.threshold(b, q, end_u), ends = law_.threshold(end.gap);
-      const auto left = points.end(b, q, end_u, ends);
-      const Pack weight = sides_.owned(b) * sides_.measure(b)[q], slipped = weight * left.slip;
-      work += slipped * begins;
-      lag += slipped * (ends - begins);
-      sum += weight * left.work;
-      const Vector traction = carried(left.traction, points.start(b, q).normal, end.normal);
-      for (std::size_t i = 0; i < D; ++i) kept(b, q, i) = traction[i];
-      kept(b, q, place_of(SurfaceNumber::Slip)) += left.slip;
-      kept(b, q, place_of(SurfaceNumber::Dissipated)) += left.work;
-      kept(b, q, place_of(SurfaceNumber::Sliding)) = left.slid;
-    }
-  }
+  for_each(u, [&](std::size_t b, std::size_t q, const Vector& end_u) {
+    const Contact end = contact_at(place(b, q, end_u));
+    const Pack begins = points.threshold(b, q, end_u), ends = law_.threshold(end.gap);
+    const auto left = points.end(b, q, end_u, ends);
+    const Pack weight = sides_->owned(b) * sides_->measure(b)[q], slipped = weight * left.slip;
+    work += slipped * begins;
+    lag += slipped * (ends - begins);
+    sum += weight * left.work;
+    const Vector traction = carried(left.traction, points.start(b, q).normal, end.normal);
+    for (std::size_t i = 0; i < D; ++i) kept(b, q, i) = traction[i];
+    kept(b, q, place_of(SurfaceNumber::Slip)) += left.slip;
+    kept(b, q, place_of(SurfaceNumber::Dissipated)) += left.work;
+    kept(b, q, place_of(SurfaceNumber::Sliding)) = left.slid;
+  });
   history.last_step = {total(work), total(lag)};
   return total(sum);
 }
 
-template <class SideElement>
-void FrictionPoints<SideElement>::In::report(const double* u, FrictionReport& report) const {
-  const Sides& sides = points_.sides_;
+template <std::size_t D>
+void FrictionPoints<D>::In::report(const double* u, FrictionReport& report) const {
+  const Sides& sides = *points_.sides_;
   const FrictionLaw& law = points_.law_;
   Pack acting = 0.0, sliding = 0.0, sticking = 0.0, slip = 0.0;
-  for (std::size_t b = 0; b < sides.size(); ++b) {
-    const auto nodal = sides.change_of(b, u);
-    for (std::size_t q = 0; q < sides.quadrature().size(); ++q) {
-      const Pack gap = points_.obstacle_->gap(points_.place(b, q, points_.at(q, nodal)));
-      const auto near = gap < law.cutoff() && law.threshold(gap) > 0.0;
-      // Where the interaction's factor is zero, so is the measure.
-      const Pack area = select(sides.measure(b)[q] > 0.0, Pack(sides.owned(b) * sides.area(b)[q]), Pack(0.0));
-      const Pack acts = select(near, area, Pack(0.0)), slides = number(b, q, SurfaceNumber::Sliding);
-      acting += acts;
-      sliding += area * slides;
-      sticking += acts * (1.0 - slides);
-      slip += acts * number(b, q, SurfaceNumber::Slip);
-    }
-  }
+  points_.for_each(u, [&](std::size_t b, std::size_t q, const Vector& here) {
+    const Pack gap = points_.obstacle_->gap(points_.place(b, q, here));
+    const auto near = gap < law.cutoff() && law.threshold(gap) > 0.0;
+    // Where the interaction's factor is zero, so is the measure.
+    const Pack area = select(sides.measure(b)[q] > 0.0, Pack(sides.owned(b) * sides.area(b)[q]), Pack(0.0));
+    const Pack acts = select(near, area, Pack(0.0)), slides = number(b, q, SurfaceNumber::Sliding);
+    acting += acts;
+    sliding += area * slides;
+    sticking += acts * (1.0 - slides);
+    slip += acts * number(b, q, SurfaceNumber::Slip);
+  });
   report.acting += total(acting);
   report.sliding += total(sliding);
   report.sticking += total(sticking);

@@ -6,35 +6,34 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/scratch.hpp"
 #include "term/friction_interaction.hpp"
 #include "term/wall/friction_points.hpp"
-#include "term/wall/point_matrices.hpp"
+#include "term/wall/side_action.hpp"
+#include "term/wall/side_ends.hpp"
 
 namespace ixos {
 namespace {
 
-/// Sides of one element type.
-template <class SideElement, class Law>
+/// Sides in D dimensions.
+template <std::size_t D>
 class FrictionTerm final : public FrictionInteraction {
-  using Points = FrictionPoints<SideElement>;
-  using Sides = typename Points::Sides;
+  using Points = FrictionPoints<D>;
+  using Sides = CurvedWallSides<D>;
   using Vector = typename Points::Vector;
-  using Vectors = typename Sides::Vectors;
   using Response = typename Points::Response;
   using Memory = typename Points::Memory;
   using In = typename Points::In;
-  using Matrix = Small<Pack, Points::D>;
-  static constexpr std::size_t D = Points::D, N = Points::N;
+  using Ends = SideEnds<D>;
+  using Matrix = Small<Pack, D>;
 
  public:
-  FrictionTerm(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, const Law& law,
-               std::shared_ptr<const Obstacle> obstacle, const SurfaceOptions& options)
-      : points_(mesh, sides, pattern, law, std::move(obstacle), options.points), sides_(points_.sides()) {
-    points_.sides().scale(options.factor);
-  }
+  FrictionTerm(const LocalMesh& mesh, const std::vector<LocalSide>& group, std::unique_ptr<Sides> sides,
+               const FrictionLaw& law, std::shared_ptr<const Obstacle> obstacle)
+      : points_(mesh, group, std::move(sides), law, std::move(obstacle)), sides_(points_.sides()) {}
 
   // The life over steps.
-  void place(const Pattern& pattern) override { points_.sides().place(pattern); }
+  void place(const Pattern& pattern) override { sides_.place(pattern); }
   void initialize(const KnownState&, TermHistories& histories) const override {
     histories.of(slot()) = points_.history();
   }
@@ -63,13 +62,8 @@ class FrictionTerm final : public FrictionInteraction {
 
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
     const In points = in(segment.histories, segment.step);
-    std::vector<Matrix> matrices(sides_.quadrature().size());
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      if (points.is_idle(b)) continue;
-      const Ends ends(sides_, b, segment);
-      for (std::size_t q = 0; q < matrices.size(); ++q) matrices[q] = stiffness(points, ends, b, q, rule, kind);
-      sides_.scatter_tangent(b, matrices.data(), values);
-    }
+    for_each_stiffness(points, segment, rule, kind,
+                       [&](std::size_t b, const Matrix* k) { sides_.add_tangent(b, k, values); });
   }
 
   std::unique_ptr<KeptPoints> create_kept() const override { return std::make_unique<Kept>(); }
@@ -77,7 +71,7 @@ class FrictionTerm final : public FrictionInteraction {
   /// Keeps the matrix of each quadrature point.
   bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const override {
     auto& matrices = static_cast<Kept&>(kept).stiffness;
-    const std::size_t points = sides_.quadrature().size();
+    const std::size_t points = sides_.points();
     matrices.resize(sides_.size() * points);
     add_force_with<SlipPart::All>(segment, rule, f,
                                   [&](std::size_t b, std::size_t q, const Matrix& k) { matrices[b * points + q] = k; });
@@ -90,33 +84,31 @@ class FrictionTerm final : public FrictionInteraction {
     const Matrix* matrices = static_cast<const Kept&>(kept).stiffness.data();
     const In points = in(segment.histories, segment.step);
     for (std::size_t b = 0; b < sides_.size(); ++b)
-      if (!points.is_idle(b)) sides_.scatter_tangent(b, matrices + b * sides_.quadrature().size(), values);
+      if (!points.is_idle(b)) sides_.add_tangent(b, matrices + b * sides_.points(), values);
   }
 
   /// An action has to be symmetric.
   std::unique_ptr<TangentAction> create_action() const override {
     if (points_.law().friction().current) return nullptr;
-    return std::make_unique<Action>(*this);
+    return std::make_unique<SideAction<Sides>>(
+        sides_, [this](const Segment& segment, const Rule& rule, Tangent kind, typename Sides::Matrices& matrices) {
+          linearize(segment, rule, kind, matrices);
+        });
   }
 
   /// Throws InputError for smoothed friction, whose stiffness follows from the length of the step.
   bool add_row_sums(const Segment& segment, double* sums) const override {
     if (points_.law().friction().type == FrictionType::Smoothed)
       throw InputError("smoothed friction has no longest stable step; use an implicit scheme");
+    Scratch<PackPoint> at(sides_.points()), rows(at.size());
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Vectors to = sides_.change_of(b, segment.to);
-      Vectors rows{};
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const auto& shape = sides_.quadrature().value[q];
-        double total_shape = 0;
-        for (double value : shape) total_shape += std::abs(value);
+      sides_.changes(b, segment.to, at.data());
+      for (std::size_t q = 0; q < at.size(); ++q) {
         // A row of the projector onto the tangent plane has at most this sum, as has a unit vector.
-        const Pack bound = (total_shape * std::sqrt(double(D))) * sides_.measure(b)[q] *
-                           points_.largest_stiffness(b, q, points_.at(q, to));
-        for (std::size_t a = 0; a < N; ++a)
-          for (std::size_t i = 0; i < D; ++i) rows[a][i] += std::abs(shape[a]) * bound;
+        rows[q].fill((sides_.total_shape(q) * std::sqrt(double(D))) * sides_.measure(b)[q] *
+                     points_.largest_stiffness(b, q, Points::first(at[q])));
       }
-      sides_.batches().scatter_force(b, rows, sums);
+      sides_.add_row_sums(b, rows.data(), sums);
     }
     return true;
   }
@@ -162,12 +154,11 @@ class FrictionTerm final : public FrictionInteraction {
     if (!has(number)) return;
     const In points = in(at.histories, at.step);
     const bool is_work = number == SurfaceNumber::Dissipated;  // the interaction's factor scales it
+    Scratch<Pack> values(sides_.points());
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const auto& weight = is_work ? sides_.measure(b) : sides_.area(b);
-      std::array<Pack, N> sums{};
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
-        sides_.add_weighted(b, q, weight[q] * points.number(b, q, number), sums);
-      sides_.add_nodal(b, sums, by_node);
+      const Pack* weight = is_work ? sides_.measure(b) : sides_.area(b);
+      for (std::size_t q = 0; q < values.size(); ++q) values[q] = weight[q] * points.number(b, q, number);
+      sides_.add_weighted_nodal(b, values.data(), by_node);
     }
   }
 
@@ -186,16 +177,6 @@ class FrictionTerm final : public FrictionInteraction {
     return {points_, histories->of(slot()), step != nullptr ? &step->of<Memory>(slot()) : nullptr};
   }
 
-  /// Nodal displacements of one batch at the ends of the segment.
-  struct Ends {
-    Ends(const Sides& sides, std::size_t b, const Segment& segment) {
-      to = sides.change_of(b, segment.to);
-      if (segment.from != nullptr) from = sides.change_of(b, segment.from);
-      if (segment.velocity != nullptr) velocity = sides.change_of(b, segment.velocity);
-    }
-    Vectors to{}, from{}, velocity{};
-  };
-
   struct Kept final : KeptPoints {
     std::vector<Matrix> stiffness;  ///< batches x quadrature points; batches without friction have none
   };
@@ -204,24 +185,33 @@ class FrictionTerm final : public FrictionInteraction {
   template <SlipPart part, class Keep>
   void add_force_with(const Segment& segment, const Rule& rule, double* f, const Keep& keep) const {
     const In points = in(segment.histories, segment.step);
+    Ends ends(sides_, Ends::Of::Displacements, segment);
+    Scratch<PackPoint> forces(sides_.points());
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       if (points.is_idle(b)) continue;
-      const Ends ends(sides_, b, segment);
-      Vectors force{};
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+      ends.set(b);
+      for (std::size_t q = 0; q < forces.size(); ++q) {
         const Response response = respond<part>(points, ends, b, q, rule, Tangent::Exact);
         keep(b, q, response.stiffness);
-        const auto& shape = sides_.quadrature().value[q];
-        for (std::size_t a = 0; a < N; ++a)
-          for (std::size_t i = 0; i < D; ++i) force[a][i] += shape[a] * response.traction[i];
+        for (std::size_t i = 0; i < D; ++i) forces[q][i] = response.traction[i];
       }
-      sides_.batches().scatter_force(b, force, f);
+      sides_.add_forces(b, forces.data(), f);
     }
   }
 
-  Matrix stiffness(const In& points, const Ends& ends, std::size_t b, std::size_t q, const Rule& rule,
-                   Tangent kind) const {
-    return respond<SlipPart::All>(points, ends, b, q, rule, kind).stiffness;
+  /// Calls visit(batch, stiffnesses of its points) for the batches that have friction.
+  template <class Visit>
+  void for_each_stiffness(const In& points, const Segment& segment, const Rule& rule, Tangent kind,
+                          const Visit& visit) const {
+    Ends ends(sides_, Ends::Of::Displacements, segment);
+    Scratch<Matrix> k(sides_.points());
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      if (points.is_idle(b)) continue;
+      ends.set(b);
+      for (std::size_t q = 0; q < k.size(); ++q)
+        k[q] = respond<SlipPart::All>(points, ends, b, q, rule, kind).stiffness;
+      visit(b, k.data());
+    }
   }
 
   /// Returns the traction and the stiffness at a point by the rule that friction follows, times the measure. The convex
@@ -239,20 +229,9 @@ class FrictionTerm final : public FrictionInteraction {
           sum.stiffness[i][j] += (slope_weight * sides_.measure(b)[q]) * here.stiffness[i][j];
       }
     };
-    const Vector to = points_.at(q, ends.to);
-    if (rule.mean != Mean::Points) add(to, SlipKind::Mean, 1, 1);
-    for (const RulePoint& point : rule.points) {
-      Vector u;
-      for (std::size_t i = 0; i < D; ++i) u[i] = point.to * to[i];
-      const auto add_share = [&](double share, const Vectors& nodal) {
-        if (share == 0) return;
-        const Vector other = points_.at(q, nodal);
-        for (std::size_t i = 0; i < D; ++i) u[i] += share * other[i];
-      };
-      add_share(point.from, ends.from);
-      add_share(point.velocity, ends.velocity);
-      add(u, SlipKind::At, point.weight, point.weight * point.to);
-    }
+    if (rule.mean != Mean::Points) add(Points::first(ends.to(q)), SlipKind::Mean, 1, 1);
+    for (const RulePoint& point : rule.points)
+      add(Points::first(ends.at(q, point)), SlipKind::At, point.weight, point.weight * point.to);
     return sum;
   }
 
@@ -261,39 +240,27 @@ class FrictionTerm final : public FrictionInteraction {
   template <class Visit>
   double sum_over_points(const In& points, const double* u, const Visit& visit) const {
     Pack sum = 0.0;
+    Scratch<PackPoint> here(sides_.points());
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       if (points.is_idle(b)) continue;
-      const Vectors nodal = sides_.change_of(b, u);
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
-        sum += visit(b, q, points_.at(q, nodal), Pack(sides_.owned(b) * sides_.measure(b)[q]));
+      sides_.changes(b, u, here.data());
+      for (std::size_t q = 0; q < here.size(); ++q)
+        sum += visit(b, q, Points::first(here[q]), Pack(sides_.owned(b) * sides_.measure(b)[q]));
     }
     return total(sum);
   }
 
-  class Action final : public TangentAction {
-   public:
-    explicit Action(const FrictionTerm& term) : term_(term), stiffness_(term.sides_) {}
-
-    void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override {
-      const In points = term_.in(segment.histories, segment.step);
-      for (std::size_t b = 0; b < term_.sides_.size(); ++b) {
-        const Ends ends(term_.sides_, b, segment);
-        for (std::size_t q = 0; q < term_.sides_.quadrature().size(); ++q)
-          stiffness_(b, q) = points.is_idle(b) ? Matrix{} : term_.stiffness(points, ends, b, q, rule, kind);
-      }
-    }
-    void add_product(const double* x, double* y) const override { stiffness_.add_product(x, y); }
-    void add_diagonal(double* d) const override { stiffness_.add_diagonal(d); }
-    bool has_coarse() const override { return term_.sides_.may_be_coarsened(); }
-    void add_coarse(const CoarseSpace& coarse, double* values) const override { stiffness_.add_coarse(coarse, values); }
-
-   private:
-    const FrictionTerm& term_;
-    PointMatrices<SideElement> stiffness_;
-  };
+  /// Sets the matrices of all batches.
+  void linearize(const Segment& segment, const Rule& rule, Tangent kind, typename Sides::Matrices& matrices) const {
+    const In points = in(segment.histories, segment.step);
+    const std::vector<Matrix> none(sides_.points());
+    for (std::size_t b = 0; b < sides_.size(); ++b)
+      if (points.is_idle(b)) matrices.set(b, none.data());
+    for_each_stiffness(points, segment, rule, kind, [&](std::size_t b, const Matrix* k) { matrices.set(b, k); });
+  }
 
   Points points_;
-  const Sides& sides_;
+  Sides& sides_;
 };
 
 }  // namespace
@@ -301,7 +268,10 @@ class FrictionTerm final : public FrictionInteraction {
 Interactions make_friction_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
                                  const FrictionLaw& law, const std::shared_ptr<const Obstacle>& obstacle,
                                  const SurfaceOptions& options) {
-  return make_terms<FrictionTerm>(mesh, sides, pattern, law, obstacle, options);
+  const auto make_sides = [&](const SideGroup& group, auto dimension) {
+    return make_curved_sides<dimension.value>(mesh, group, pattern, options.points);
+  };
+  return make_terms<FrictionTerm>(mesh, sides, options, make_sides, law, obstacle);
 }
 
 }  // namespace ixos

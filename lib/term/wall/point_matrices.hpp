@@ -1,7 +1,9 @@
 /// A matrix at each quadrature point of a surface, applied without the matrix of the whole.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -9,12 +11,13 @@
 #include "term/child_matrices.hpp"
 #include "term/corner_matrices.hpp"
 #include "term/wall/curved_sides.hpp"
+#include "term/wall/sides_of.hpp"
 
 namespace ixos {
 
 /// The operator sum N_a k N_c over the quadrature points, with a matrix k at each. The sides must outlive it.
 template <class SideElement>
-class PointMatrices {
+class PointMatrices final : public SideMatrices<Small<Pack, SideElement::dimension + 1>> {
   using Sides = CurvedSides<SideElement>;
   using Vectors = typename Sides::Vectors;
   static constexpr std::size_t D = Sides::D, N = Sides::N;
@@ -25,10 +28,9 @@ class PointMatrices {
   explicit PointMatrices(const Sides& sides)
       : sides_(sides), points_(sides.quadrature().size()), k_(sides.size() * points_) {}
 
-  Matrix& operator()(std::size_t b, std::size_t q) { return k_[b * points_ + q]; }
+  void set(std::size_t b, const Matrix* k) override { std::copy_n(k, points_, &k_[b * points_]); }
 
-  /// Adds the product with x to y; both are local arrays.
-  void add_product(const double* x, double* y) const {
+  void add_product(const double* x, double* y) const override {
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       const Vectors u = sides_.change_of(b, x);
       Vectors f{};
@@ -45,7 +47,7 @@ class PointMatrices {
     }
   }
 
-  void add_diagonal(double* d) const {
+  void add_diagonal(double* d) const override {
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       Vectors diagonal{};
       for (std::size_t q = 0; q < points_; ++q) {
@@ -57,8 +59,7 @@ class PointMatrices {
     }
   }
 
-  /// Adds P^T K P, see TangentAction::add_coarse(). Throws std::logic_error unless the sides' may_be_coarsened().
-  void add_coarse(const CoarseSpace& coarse, double* values) const {
+  void add_coarse(const CoarseSpace& coarse, double* values) const override {
     using Corners = typename CornerElement<SideElement>::type;
     if constexpr (is_linear_element<SideElement>) {
       add_child_matrices(
@@ -87,5 +88,16 @@ class PointMatrices {
   std::size_t points_;
   std::vector<Matrix> k_;  ///< batches x quadrature points
 };
+
+template <class SideElement>
+auto CurvedSides<SideElement>::create_matrices() const -> std::unique_ptr<typename Interface::Matrices> {
+  return std::make_unique<PointMatrices<SideElement>>(*this);
+}
+
+template <std::size_t D>
+std::unique_ptr<CurvedWallSides<D>> make_curved_sides(const LocalMesh& mesh, const SideGroup& group,
+                                                      const Pattern& pattern, int points) {
+  return sides_of<D, CurvedSides, CurvedWallSides<D>>(group, mesh, group.sides, pattern, points);
+}
 
 }  // namespace ixos

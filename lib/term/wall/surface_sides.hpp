@@ -14,33 +14,45 @@
 #include "fem/with_element.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/meridian.hpp"
-#include "term/interaction.hpp"
+#include "term/wall/wall_sides.hpp"
 
 namespace ixos {
 
-template <class SideElement>
-class SurfaceSides {
+/// `Interface`: WallSides or what derives from it; its constructor takes the last arguments.
+template <class SideElement, class Interface = WallSides<SideElement::dimension + 1>>
+class SurfaceSides : public Interface {
  public:
   static constexpr std::size_t D = SideElement::dimension + 1;
   static constexpr std::size_t N = SideElement::nodes;
+  using Interface::area;
+  using Interface::size;
   using Vectors = Small<Pack, N, D>;
 
   /// `points`: Gauss points a direction; 0: 5, but 8 on sides of order 3 or more.
-  SurfaceSides(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, int points)
-      : quadrature_(rule(points), ties(mesh, sides)),
+  template <class... Arguments>
+  SurfaceSides(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, int points,
+               Arguments&&... arguments)
+      : Interface(std::forward<Arguments>(arguments)...),
+        quadrature_(rule(points), ties(mesh, sides)),
         grid_(shape_grid<SideElement>(grid_counts(), ties(mesh, sides))),
         batches_(node_table(sides), pattern, scale_table(mesh, sides)) {
-    for (const LocalSide& side : sides) sides_.push_back({side.block, side.cell, side.side});
+    for (const LocalSide& side : sides) numbers_.push_back({side.block, side.cell, side.side});
+    this->sides_ = sides.size();
+    for (const auto& shape : quadrature_.value) {
+      double total = 0;
+      for (const double value : shape) total += std::abs(value);
+      this->total_shape_.push_back(total);
+    }
     const std::vector<bool> axis = nodes_on_axis(mesh);
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       Vectors x;
       batches_.gather(b, mesh.coordinates.data(), x);
       reference_.push_back(x);
       for (std::size_t q = 0; q < quadrature_.size(); ++q)
-        measure_.push_back(quadrature_.weight[q] * stretch(x, q) * around(mesh, x, q));
+        this->measure_.push_back(quadrature_.weight[q] * stretch(x, q) * around(mesh, x, q));
       if constexpr (D == 2)
         if (mesh.axisymmetric) no_ring_.push_back(nodes_without_ring(b, axis));
-      owned_.emplace_back([&](auto lane) {
+      this->owned_.emplace_back([&](auto lane) {
         return lane < batches_.lanes(b) && sides[b * static_cast<std::size_t>(pack_width) + lane].owned ? 1.0 : 0.0;
       });
     }
@@ -48,27 +60,18 @@ class SurfaceSides {
 
   const ShapeTable<SideElement>& quadrature() const { return quadrature_; }
   const ElementBatches<N, D>& batches() const { return batches_; }
-  void place(const Pattern& pattern) { batches_.place(pattern); }
-  std::size_t size() const { return batches_.size(); }  ///< batches
-  /// Returns quadrature weight times reference length or area, by quadrature point, for integrals of the law: of an
-  /// axisymmetric mesh the area of the ring; times the factor if there is one.
-  const Pack* measure(std::size_t b) const { return &measure_[b * quadrature_.size()]; }
-  /// Returns it without the factor.
-  const Pack* area(std::size_t b) const { return area_.empty() ? measure(b) : &area_[b * quadrature_.size()]; }
-  /// Multiplies the measure by the factor at each quadrature point. Called at most once.
-  void scale(const SurfaceFactor& factor) {
+  void place(const Pattern& pattern) override { batches_.place(pattern); }
+  void scale(const SurfaceFactor& factor) override {
     if (!factor.of_place && factor.of_node.empty()) return;
-    area_ = measure_;
+    this->area_ = this->measure_;
     for (std::size_t b = 0; b < size(); ++b)
       for (std::size_t q = 0; q < quadrature_.size(); ++q)
         for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane) {
-          Pack& here = measure_[b * quadrature_.size() + q];
+          Pack& here = this->measure_[b * quadrature_.size() + q];
           if (factor.of_place) here[lane] = here[lane] * factor.of_place(place_of_point(b, q, lane));
           if (!factor.of_node.empty()) here[lane] = here[lane] * between_corners(factor.of_node, b, q, lane);
         }
   }
-  /// Returns 1 for sides that count on this rank, otherwise 0.
-  const Pack& owned(std::size_t b) const { return owned_[b]; }
   /// Returns the lowest of the points of a grid on each side, its nodes and the points halfway between them. The gap of
   /// a batch's point is gaps_of(b)(shape functions there).
   template <class GapsOf>
@@ -97,8 +100,7 @@ class SurfaceSides {
   }
   /// Returns nodal reference coordinates [L0]; those of a Hermite side's derivative nodes are derivatives.
   const Vectors& reference(std::size_t b) const { return reference_[b]; }
-  /// Returns whether coarser sides may stand for these, see has_coarser_element; true without sides.
-  bool may_be_coarsened() const { return has_coarser_element<SideElement> || size() == 0; }
+  bool may_be_coarsened() const override { return has_coarser_element<SideElement> || size() == 0; }
   /// Returns the weights w_a of quadrature point q in nodal means, int w_a T dA over int w_a dA: the shape functions
   /// N_a. At a node on the axis of an axisymmetric mesh, int N_a dA vanishes on sides of even order, because R is 0
   /// there. Then the weight is N_a/(2 pi R), which gives the mean over the section.
@@ -139,13 +141,16 @@ class SurfaceSides {
       for (std::size_t i = 0; a < places && i < D; ++i) local[node * D + i] = vectors[a][i][lane];
     });
   }
-  /// Adds, per local node, int w_a dA with the nodal_weights() over the sides that are not counted yet, and counts
-  /// them.
-  void add_nodal_measure(CountedSides& counted, double* measure_by_node) const {
+  void add_weighted_nodal(std::size_t b, const Pack* values, double* by_node) const override {
+    std::array<Pack, N> sums{};
+    for (std::size_t q = 0; q < quadrature_.size(); ++q) add_weighted(b, q, values[q], sums);
+    add_nodal(b, sums, by_node);
+  }
+  void add_nodal_measure(CountedSides& counted, double* measure_by_node) const override {
     for (std::size_t b = 0; b < size(); ++b) {
       std::array<bool, pack_width> counts{};
       for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
-        counts[lane] = counted.insert(sides_[b * static_cast<std::size_t>(pack_width) + lane]).second;
+        counts[lane] = counted.insert(numbers_[b * static_cast<std::size_t>(pack_width) + lane]).second;
       for (std::size_t q = 0; q < quadrature_.size(); ++q) {
         const std::array<Pack, N> weights = nodal_weights(b, q);
         for (std::size_t a = 0; a < N; ++a)
@@ -260,16 +265,16 @@ class SurfaceSides {
   std::array<Pack, N> nodes_without_ring(std::size_t b, const std::vector<bool>& axis) const {
     std::array<Pack, N> result{};
     for (std::size_t a = 0; a < N; ++a) {
-      Pack area = 0.0, length = 0.0, longest = 0.0;
+      Pack ring_area = 0.0, length = 0.0, longest = 0.0;
       for (std::size_t q = 0; q < quadrature_.size(); ++q) {
-        const Pack measure = quadrature_.value[q][a] * measure_[b * quadrature_.size() + q];
-        area += measure;
+        const Pack measure = quadrature_.value[q][a] * this->measure_[b * quadrature_.size() + q];
+        ring_area += measure;
         length += measure / ring(b, q);
         longest = std::experimental::max(longest, ring(b, q));
       }
       for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
         if (axis[static_cast<std::size_t>(batches_.first_dof(b, a, lane)) / D])
-          result[a][lane] = area[lane] < 0.05 * longest[lane] * length[lane] ? 1.0 : 0.0;
+          result[a][lane] = ring_area[lane] < 0.05 * longest[lane] * length[lane] ? 1.0 : 0.0;
     }
     return result;
   }
@@ -281,14 +286,11 @@ class SurfaceSides {
     return 1.0;
   }
 
-  std::vector<std::array<int, 3>> sides_;  ///< local block, cell and side
+  std::vector<std::array<int, 3>> numbers_;  ///< local block, cell and side
   ShapeTable<SideElement> quadrature_;
   std::vector<std::array<double, N>> grid_;  ///< shape functions at the points of lowest_point()
   ElementBatches<N, D> batches_;
   std::vector<Vectors> reference_;
-  std::vector<Pack> measure_;  ///< batches x quadrature points
-  std::vector<Pack> area_;     ///< the measure without the factor; empty if there is none
-  std::vector<Pack> owned_;
   std::vector<std::array<Pack, N>> no_ring_;  ///< see nodes_without_ring(); empty if the mesh is not axisymmetric
 };
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "interaction/gap_law.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "interaction/gap_law.hpp"
 #include "model/traits.hpp"
 #include "scene/examine/symmetry.hpp"
 #include "scene/explain/explanation.hpp"

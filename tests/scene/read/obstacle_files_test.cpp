@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/simulation.hpp"

@@ -1,6 +1,6 @@
-// The cycle between quadratic and linear cells, or between linear cells and their parents: its coarse matrix is P^T W
-// P, the cycle is symmetric and positive definite, iterations do not follow the mesh, and runs repeat and resume with
-// it.
+// The cycle between quadratic and linear cells, or between linear cells and their coarse cells: its coarse matrix is
+// P^T W P, the cycle is symmetric and positive definite, iterations do not follow the mesh, and runs repeat and resume
+// with it.
 #include "solve/loaded/two_level_preconditioner.hpp"
 
 #include <gtest/gtest.h>

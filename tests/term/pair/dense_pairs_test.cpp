@@ -8,6 +8,7 @@
 #include "geometry/curve_patches.hpp"
 #include "geometry/face_patches.hpp"
 #include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "support/two_bodies.hpp"
 
@@ -47,7 +48,7 @@ SurfacePatches<D> one_patch(SurfacePatch<D> patch) {
 
 template <std::size_t D>
 DensePairs<D> pairs_of(const PairSurfaces<D>& surfaces, int points) {
-  return DensePairs<D>(surfaces, PairKernel<D>(powers_of(law())), points);
+  return DensePairs<D>(surfaces, PairKernel<D>(law().powers()), points);
 }
 
 /// With one point on each, the energy of two flat sides is (a1 . a2) W(r) of their middles, a the normals times the

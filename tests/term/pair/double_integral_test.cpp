@@ -102,7 +102,7 @@ TEST(DoubleIntegralTest, RanksDoNotMatter) {
     return surface_patches<2>(whole, whole.whole_side_sets.at(set), Smoothing::CatmullRom, set);
   };
   const PairSurfaces<2> surfaces{curves("a_surface"), curves("b_surface")};
-  const DensePairs<2> pairs(surfaces, PairKernel<2>(powers_of(*gap_law(VanDerWaals(2.5, 25)))), 3);
+  const DensePairs<2> pairs(surfaces, PairKernel<2>(gap_law(VanDerWaals(2.5, 25))->powers()), 3);
   const std::vector<char> all(surfaces.secondary.patches.size(), 1);
   std::vector<double> f(whole_u.size(), 0.0);
   const Rule rule = gauss_rule(2);

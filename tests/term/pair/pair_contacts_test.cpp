@@ -1,4 +1,4 @@
-// Feet that a search begins at earlier ones.
+// Closest points that a search begins at earlier ones.
 #include "term/pair/pair_contacts.hpp"
 
 #include <gtest/gtest.h>
@@ -47,12 +47,12 @@ struct Points {
   }
 };
 
-/// Each place's feet, found after others, are those of a first search at this place alone.
+/// Each place's closest points, found after others, are those of a first search at this place alone.
 template <std::size_t D>
-void expect_same_feet(const Mesh& bodies, const std::string& first, const std::string& second, double cutoff) {
+void expect_same_projections(const Mesh& bodies, const std::string& first, const std::string& second, double cutoff) {
   Points<D> together(bodies, first, second, cutoff);
   together.points->begin_step();
-  int feet = 0, leads = 0;
+  int projections = 0, leads = 0;
   for (const double start : {0.0, 0.01, 0.011, 0.2, 0.19}) {  // as Newton's iteration may come back
     std::vector<double> times;
     times.reserve(5);
@@ -63,33 +63,34 @@ void expect_same_feet(const Mesh& bodies, const std::string& first, const std::s
       const auto single = alone.at({times[k]});
       for (const PairContact<D>& contact : single->front().all) {
         const PairContact<D>* const same = (*found)[k].find(contact.patch, contact.point);
-        ASSERT_TRUE(same != nullptr || contact.foot.patch < 0);
+        ASSERT_TRUE(same != nullptr || contact.projection.patch < 0);
         if (same == nullptr) continue;
-        ASSERT_EQ(same->foot.patch < 0, contact.foot.patch < 0);
-        leads += same->foot.lead > 0 ? 1 : 0;
-        if (contact.foot.patch < 0) continue;
-        ++feet;
-        EXPECT_NEAR(same->foot.gap, contact.foot.gap, 1e-13);
-        EXPECT_LT(length(same->foot.normal - contact.foot.normal), 1e-11);
+        ASSERT_EQ(same->projection.patch < 0, contact.projection.patch < 0);
+        leads += same->projection.lead > 0 ? 1 : 0;
+        if (contact.projection.patch < 0) continue;
+        ++projections;
+        EXPECT_NEAR(same->projection.gap, contact.projection.gap, 1e-13);
+        EXPECT_LT(length(same->projection.normal - contact.projection.normal), 1e-11);
         EXPECT_NEAR(same->traction, contact.traction, 1e-11 * (1 + std::abs(contact.traction)));
       }
     }
   }
-  EXPECT_GT(feet, 400);
-  EXPECT_GT(leads, feet / 10);
+  EXPECT_GT(projections, 400);
+  EXPECT_GT(leads, projections / 10);
 }
 
-TEST(PairContactsSerialTest, FeetDoNotDependOnEarlierOnes) {
+TEST(PairContactsSerialTest, ProjectionsDoNotDependOnEarlierOnes) {
   for (const double cutoff : {0.0, 1.5}) {
-    expect_same_feet<2>(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", cutoff);
-    expect_same_feet<2>(test::two_blocks(0.3), "upper_bottom", "lower_top", cutoff);
-    expect_same_feet<3>(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", cutoff);
-    expect_same_feet<3>(test::two_boxes(0.3), "upper_bottom", "lower_top", cutoff);
+    expect_same_projections<2>(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", cutoff);
+    expect_same_projections<2>(test::two_blocks(0.3), "upper_bottom", "lower_top", cutoff);
+    expect_same_projections<3>(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", cutoff);
+    expect_same_projections<3>(test::two_boxes(0.3), "upper_bottom", "lower_top", cutoff);
   }
 }
 
-/// As bodies approach little by little, lists of neighbours are used up and replaced. No point in range lacks its foot.
-TEST(PairContactsSerialTest, NoFootIsLostAsListsAreReplaced) {
+/// As bodies approach little by little, lists of neighbours are used up and replaced. No point in range lacks its
+/// closest point.
+TEST(PairContactsSerialTest, NoClosestPointIsLostAsListsAreReplaced) {
   const Mesh bodies = test::two_disks(3, {7.6, 0}, 16, 2);
   Points<2> together(bodies, "a_surface", "b_surface", 1.0);
   together.points->begin_step();
@@ -98,7 +99,7 @@ TEST(PairContactsSerialTest, NoFootIsLostAsListsAreReplaced) {
     for (std::size_t k = 0; k < u.size(); k += 2) u[k] = of.mesh.coordinates[k] > 3.8 ? -t : 0;
     return of.points->places(u.data());
   };
-  int feet = 0;
+  int projections = 0;
   for (int i = 0; i < 300; ++i) {
     const double t = 0.004 * i;
     const auto found =
@@ -106,23 +107,23 @@ TEST(PairContactsSerialTest, NoFootIsLostAsListsAreReplaced) {
     const Points<2> alone(bodies, "a_surface", "b_surface", 1.0);
     const auto single = alone.points->contacts({places(alone, t)}, PairPoints<2>::Share::Forces);
     for (const PairContact<2>& contact : single->front().all) {
-      if (contact.foot.patch < 0) continue;
+      if (contact.projection.patch < 0) continue;
       const PairContact<2>* const same = found->front().find(contact.patch, contact.point);
-      ASSERT_TRUE(same != nullptr && same->foot.patch >= 0) << t << ' ' << contact.foot.gap;
-      EXPECT_NEAR(same->foot.gap, contact.foot.gap, 1e-13);
-      ++feet;
+      ASSERT_TRUE(same != nullptr && same->projection.patch >= 0) << t << ' ' << contact.projection.gap;
+      EXPECT_NEAR(same->projection.gap, contact.projection.gap, 1e-13);
+      ++projections;
     }
   }
-  EXPECT_GT(feet, 1000);
+  EXPECT_GT(projections, 1000);
 }
 
-/// Places that are no numbers have no feet to begin at, and say so.
+/// Places that are no numbers have no closest points to begin at, and say so.
 TEST(PairContactsSerialTest, AfterPlacesThatAreNoNumbersASearchBeginsAnew) {
   Points<2> disks(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", 1.5);
   disks.points->begin_step();
   const double gap = disks.at({0.01, 0.02})->back().least_gap;
   disks.points->begin_step();
-  EXPECT_TRUE(std::isnan(disks.at({0.01, std::nan("")})->back().all.front().foot.gap));
+  EXPECT_TRUE(std::isnan(disks.at({0.01, std::nan("")})->back().all.front().projection.gap));
   EXPECT_NEAR(disks.at({0.01, 0.02})->back().least_gap, gap, 1e-14);
 }
 

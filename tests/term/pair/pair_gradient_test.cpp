@@ -97,8 +97,9 @@ TEST(PairGradientTest, ItsTangentIsItsDerivative) {
   }
 }
 
-/// The secondary disk rolls about the foot of one of its points, which keeps its distance from the foot, as the corners
-/// of its side do. The point's energy changes, because the curvature does, and yet no moment acts.
+/// The secondary disk rolls about the closest point of one of its points, which keeps its distance from the closest
+/// point, as the corners of its side do. The point's energy changes, because the curvature does, and yet no moment
+/// acts.
 TEST(PairGradientSerialTest, APointThatRollsHasNoMoment) {
   Bodies bodies(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", Smoothing::CatmullRom);
   const LocalMesh& mesh = bodies.model->mesh();
@@ -108,14 +109,15 @@ TEST(PairGradientSerialTest, APointThatRollsHasNoMoment) {
   const PairPoints<2> points(mesh, {surface("a_surface"), surface("b_surface")}, gap_law(VanDerWaals(2.5, 25)), {});
   const std::vector<double> rest = test::at_rest(*bodies.model);
   const auto contacts = points.contacts({points.places(rest.data())}, PairPoints<2>::Share::All);
-  const auto nearest = std::min_element(contacts->front().all.begin(), contacts->front().all.end(),
-                                        [](const auto& a, const auto& b) { return a.foot.gap < b.foot.gap; });
-  const Vec<2> foot = nearest->foot.frame.place;
+  const auto nearest =
+      std::min_element(contacts->front().all.begin(), contacts->front().all.end(),
+                       [](const auto& a, const auto& b) { return a.projection.gap < b.projection.gap; });
+  const Vec<2> projection = nearest->projection.frame.place;
   const auto turned = [&](double angle) {
     std::vector<double> u = rest;
     const double c = std::cos(angle), s = std::sin(angle);
     for (std::size_t k = 0; k < u.size(); k += 2) {
-      const double x = mesh.coordinates[k] - foot[0], y = mesh.coordinates[k + 1] - foot[1];
+      const double x = mesh.coordinates[k] - projection[0], y = mesh.coordinates[k + 1] - projection[1];
       if (mesh.original_ids[k / 2] >= mesh.nodes() / 2) continue;  // of the primary disk
       u[k] = (c - 1) * x - s * y;
       u[k + 1] = s * x + (c - 1) * y;

@@ -34,7 +34,7 @@ void expect_sum(const SurfacePatch<D>& patch, const std::vector<Vec<D>>& x) {
       }
       sums.end_point(weights);
     }
-    sums.end_point({});  // a point without a foot adds nothing
+    sums.end_point({});  // a point without a closest point adds nothing
     sums.write(sum);
     ASSERT_EQ(sum.size(), size * size);
     for (std::size_t k = 0; k < sum.size(); ++k) EXPECT_NEAR(sum[k], direct[k], 1e-13);

@@ -133,7 +133,8 @@ TEST(PairTermTest, BeforeAFlatSurfaceItIsTheWall) {
   }
 }
 
-/// The force at each owned node is that of one rank that owns all, bit for bit: every rank finds the same feet.
+/// The force at each owned node is that of one rank that owns all, bit for bit: every rank finds the same closest
+/// points.
 TEST(PairTermTest, RanksDoNotMatter) {
   const Mesh mesh = test::two_disks(3, {5, 3.6});
   const Bodies bodies(mesh, "a_surface", "b_surface", Smoothing::CatmullRom);

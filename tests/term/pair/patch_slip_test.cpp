@@ -25,18 +25,18 @@ struct Spot {
   typename SurfacePatch<D>::Weights weights{0.1, 0.55, 0.4, -0.05};
   std::vector<Vec<D>> x;  ///< of the point's nodes, then of the patch's by number
   std::vector<int> nodes{0, 1, 2, 3};
-  SurfaceFoot<D> foot;
+  SurfaceProjection<D> projection;
   PatchSlip<D> slip;
 
-  Spot(const SurfacePatch<D>& of_foot, std::vector<Vec<D>> places) : patch(of_foot), x(std::move(places)) {
+  Spot(const SurfacePatch<D>& of_projection, std::vector<Vec<D>> places) : patch(of_projection), x(std::move(places)) {
     patch.neighbours.fill(-1);
     Vec<D> place{};
     for (std::size_t a = 0; a < own; ++a) place = place + weights[a] * x[a];
     const std::vector<SurfacePatch<D>> all{patch};
     const std::vector<Vec<D>> others(x.begin() + own, x.end());
-    foot = PlacedSurface<D>(all, others).nearest(place);
+    projection = PlacedSurface<D>(all, others).nearest(place);
     for (std::size_t a = 0; a < patch.count; ++a) nodes.push_back(static_cast<int>(own) + patch.nodes[a]);
-    slip.set(weights, own, place, patch, foot);
+    slip.set(weights, own, place, patch, projection);
   }
   std::size_t dofs() const { return D * x.size(); }
   /// Returns the nodal forces of a traction after these displacements.
@@ -88,10 +88,10 @@ Vec<3> turned(const Vec<3>& v, double angle) {
 
 TEST(PatchSlipTest, TheSpotsAreInsideAndAtKinks) {
   const std::vector<Spot<3>> all = spots();
-  EXPECT_FALSE(all[0].foot.fixed[0] || all[0].foot.fixed[1]);
-  EXPECT_NE(all[1].foot.fixed[0], all[1].foot.fixed[1]);
-  EXPECT_TRUE(all[2].foot.fixed[0] && all[2].foot.fixed[1]);
-  EXPECT_LT(all[3].foot.gap, 0);
+  EXPECT_FALSE(all[0].projection.fixed[0] || all[0].projection.fixed[1]);
+  EXPECT_NE(all[1].projection.fixed[0], all[1].projection.fixed[1]);
+  EXPECT_TRUE(all[2].projection.fixed[0] && all[2].projection.fixed[1]);
+  EXPECT_LT(all[3].projection.gap, 0);
 }
 
 TEST(PatchSlipTest, NoRotationOfBothIsASlip) {
@@ -123,7 +123,7 @@ TEST(PatchSlipTest, NoRotationOfBothIsASlip) {
 TEST(PatchSlipTest, ASmallSlipIsThatBesideTheRotationOfThePatch) {
   for (const Spot<3>& spot : spots()) {
     const std::vector<double> u = noise(spot.dofs(), 1e-7);
-    const auto shape = spot.patch.shape(spot.foot.xi);
+    const auto shape = spot.patch.shape(spot.projection.xi);
     Vec<3> place{}, dr{};
     std::array<Vec<3>, 2> dx{};
     const auto at = [&](std::size_t node) { return Vec<3>{u[3 * node], u[3 * node + 1], u[3 * node + 2]}; };
@@ -136,8 +136,8 @@ TEST(PatchSlipTest, ASmallSlipIsThatBesideTheRotationOfThePatch) {
       dr = dr - shape.value[a] * at(node);
       for (std::size_t k = 0; k < 2; ++k) dx[k] = dx[k] + shape.slopes[k][a] * at(node);
     }
-    const Vec<3> m = PlacedPatch<3>::normal(spot.foot.frame), r = place - spot.foot.frame.place;
-    const Vec<3>&x = spot.foot.frame.tangents[0], &y = spot.foot.frame.tangents[1];
+    const Vec<3> m = PlacedPatch<3>::normal(spot.projection.frame), r = place - spot.projection.frame.place;
+    const Vec<3>&x = spot.projection.frame.tangents[0], &y = spot.projection.frame.tangents[1];
     const double area = inner(m, cross(x, y));
     // The dual vectors are y x m and m x x over the area.
     const std::array<Vec<3>, 2> c{1 / area * cross(m, cross(y, m)), 1 / area * cross(m, cross(m, x))};
@@ -151,12 +151,12 @@ TEST(PatchSlipTest, ASmallSlipIsThatBesideTheRotationOfThePatch) {
 
 TEST(PatchSlipTest, AStretchOfThePatchIsNoSlip) {
   for (const Spot<3>& spot : spots()) {
-    const Vec<3> m = PlacedPatch<3>::normal(spot.foot.frame);
+    const Vec<3> m = PlacedPatch<3>::normal(spot.projection.frame);
     for (const double size : {1e-4, 1e-5}) {
-      // The patch's places relative to the foot grow along its tangent plane; the point stays where it is.
+      // The patch's places relative to the closest point grow along its tangent plane; the point does not move.
       std::vector<double> u(spot.dofs(), 0.0);
       for (std::size_t k = 3 * own; k < u.size(); ++k) {
-        const Vec<3> way = spot.x[k / 3] - spot.foot.frame.place;
+        const Vec<3> way = spot.x[k / 3] - spot.projection.frame.place;
         u[k] = size * (way[k % 3] - inner(m, way) * m[k % 3]);
       }
       EXPECT_LT(length(spot.slip_of(u)), 4 * size * size);

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "interaction/gap_law.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "model/surface_pair.hpp"
 #include "support/two_bodies.hpp"

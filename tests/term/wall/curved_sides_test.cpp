@@ -6,7 +6,9 @@
 #include <type_traits>
 
 #include "term/box_part.hpp"
-#include "term/wall/surface_terms.hpp"
+#include "term/side_kinds.hpp"
+#include "term/wall/point_matrices.hpp"
+#include "term/wall/side_ends.hpp"
 
 namespace ixos {
 namespace {
@@ -57,7 +59,7 @@ void for_points(const Check& check) {
           ContactElement::Q2C2, ContactElement::Q2C4}) {
       const Body body(dimension, element);
       const LocalMesh& mesh = body.mesh;
-      for_each_kind_of_side(
+      test::for_each_kind_of_side(
           mesh, mesh.side_sets[mesh.side_set("surface")], [&](auto side, const std::vector<LocalSide>& group) {
             using Sides = CurvedSides<typename decltype(side)::type>;
             using Corners = Multilinear<static_cast<int>(Sides::D) - 1>;
@@ -84,8 +86,10 @@ TEST(CurvedSidesTest, EndsAreWhereTheMotionTakesThem) {
   for_points([](const Body& body, const auto& sides, std::size_t b, std::size_t q, std::size_t i,
                 const std::array<double, 3>& x) {
     using Sides = std::decay_t<decltype(sides)>;
+    using Ends = SideEnds<Sides::D>;
     const std::vector<double> u0 = body.nodal(start), u1 = body.nodal(end);
-    const typename Sides::Ends ends(sides, b, {u0.data(), nullptr, u1.data()});
+    Ends ends(sides, Ends::Of::Places, {u0.data(), nullptr, u1.data()});
+    ends.set(b);
     const PackPoint from = ends.from(q), to = ends.to(q);
     for (std::size_t d = 0; d < Sides::D; ++d) {
       EXPECT_NEAR(lane(from[d], i), x[d] + start.at(x.data(), Sides::D, d), 1e-13);
@@ -101,9 +105,12 @@ TEST(CurvedSidesTest, PlacesOfTimePointsFollowTheRule) {
   for_points([](const Body& body, const auto& sides, std::size_t b, std::size_t q, std::size_t i,
                 const std::array<double, 3>& x) {
     using Sides = std::decay_t<decltype(sides)>;
+    using Ends = SideEnds<Sides::D>;
     const std::vector<double> u0 = body.nodal(start), v = body.nodal(rate), u1 = body.nodal(end);
-    const typename Sides::Ends straight(sides, b, {u0.data(), nullptr, u1.data()});
-    const typename Sides::Ends bent(sides, b, {u0.data(), v.data(), u1.data()});
+    Ends straight(sides, Ends::Of::Places, {u0.data(), nullptr, u1.data()});
+    Ends bent(sides, Ends::Of::Places, {u0.data(), v.data(), u1.data()});
+    straight.set(b);
+    bent.set(b);
     const double xi = 0.3;
     const PackPoint linear = straight.at(q, {1, 1 - xi, 0, xi, xi});
     const PackPoint quadratic = bent.at(q, {1, 1 - xi * xi, xi - xi * xi, xi * xi, xi});
@@ -120,8 +127,10 @@ TEST(CurvedSidesTest, WithoutAStartThePlaceOfTheEndCounts) {
   for_points([](const Body& body, const auto& sides, std::size_t b, std::size_t q, std::size_t i,
                 const std::array<double, 3>&) {
     using Sides = std::decay_t<decltype(sides)>;
+    using Ends = SideEnds<Sides::D>;
     const std::vector<double> u = body.nodal(end);
-    const typename Sides::Ends ends(sides, b, {nullptr, nullptr, u.data()});
+    Ends ends(sides, Ends::Of::Places, {nullptr, nullptr, u.data()});
+    ends.set(b);
     const PackPoint to = ends.to(q), at = ends.at(q, {1, 0, 0, 1, 1});
     for (std::size_t d = 0; d < 3; ++d) EXPECT_EQ(lane(at[d], i), lane(to[d], i));
   });

@@ -2,31 +2,29 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <type_traits>
 
 #include "term/box_part.hpp"
-#include "term/wall/surface_terms.hpp"
+#include "term/side_kinds.hpp"
 
 namespace ixos {
 namespace {
 
-/// The surface of a box before a tilted wall, on this rank.
+/// The surface of a box before a wall, on this rank.
 struct Body {
-  Body(int dimension, ContactElement element) : mesh(test::box_part(dimension, element)), pattern(mesh) {
-    wall.point = {0.3, -0.7, 0.2};
-    wall.normal = {0.48, 0.6, 0.64};
-    if (dimension == 2) wall.normal = {0.6, -0.8, 0.0};
-  }
+  Body(int dimension, ContactElement element, const std::array<double, 3>& normal)
+      : mesh(test::box_part(dimension, element)), pattern(mesh), wall{{0.3, -0.7, 0.2}, normal} {}
 
   /// Calls visit(sides, group) for each kind of side, with the sides of that kind.
   template <class Visit>
   void for_sides(const Visit& visit) const {
-    for_each_kind_of_side(mesh, mesh.side_sets[mesh.side_set("surface")],
-                          [&](auto side, const std::vector<LocalSide>& group) {
-                            using SideElement = typename decltype(side)::type;
-                            visit(FlatSides<SideElement>(mesh, group, pattern, wall, 0), group);
-                          });
+    test::for_each_kind_of_side(mesh, mesh.side_sets[mesh.side_set("surface")],
+                                [&](auto side, const std::vector<LocalSide>& group) {
+                                  using SideElement = typename decltype(side)::type;
+                                  visit(FlatSides<SideElement>(mesh, group, pattern, wall, 0), group);
+                                });
   }
 
   /// A local array without order.
@@ -41,6 +39,10 @@ struct Body {
   HalfSpace wall;
 };
 
+/// Normals of tilted walls, of walls along an axis, and of one that plane bodies do not see.
+const std::array<double, 3> tilted = {0.48, 0.6, 0.64}, tilted_in_plane = {0.6, -0.8, 0.0},
+                            between_axes = {0.6, 0.0, 0.8}, down = {0.0, -1.0, 0.0}, across = {0.0, 0.0, 1.0};
+
 /// Runs a check on plane and solid bodies with every kind of side.
 template <class Check>
 void for_bodies(const Check& check) {
@@ -48,7 +50,8 @@ void for_bodies(const Check& check) {
     for (ContactElement element :
          {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH,
           ContactElement::Q2C2, ContactElement::Q2C4})
-      check(Body(dimension, element));
+      for (const auto& normal : {dimension == 2 ? tilted_in_plane : tilted, between_axes, down, across})
+        check(Body(dimension, element, normal));
 }
 
 TEST(FlatSidesTest, GapsOfPlacesAreTheirDistancesFromTheWall) {
@@ -151,12 +154,39 @@ TEST(FlatSidesTest, ForcesDoTheWorkOfTheGaps) {
             along[a][i] = std::sin(phase += 2.3);
             if (i < sides.batches().lanes(b)) work += lane(along[a], i) * lane(change[a], i);
           }
-        sides.batches().scatter_force(b, sides.from_normal(along), force.data());
+        sides.scatter_along(b, along, force.data());
       }
     });
     double of_force = 0;
     for (std::size_t k = 0; k < v.size(); ++k) of_force += force[k] * v[k];
     EXPECT_NEAR(of_force, work, 1e-12);
+  });
+}
+
+// A wall along an axis takes a shorter way, to the entries that are not 0.
+TEST(FlatSidesTest, TangentsAreThoseOfMatricesAlongTheNormal) {
+  for_bodies([](const Body& body) {
+    const auto size = static_cast<std::size_t>(body.pattern.pairs() * body.mesh.dimension * body.mesh.dimension);
+    std::vector<double> values(size, 0.0), expected(size, 0.0);
+    double phase = 0.2;
+    body.for_sides([&](const auto& sides, const std::vector<LocalSide>&) {
+      using Sides = std::decay_t<decltype(sides)>;
+      std::vector<Pack> k(sides.quadrature().size());
+      for (std::size_t b = 0; b < sides.size(); ++b) {
+        Small<Pack, Sides::N> along{};
+        for (std::size_t q = 0; q < k.size(); ++q) {
+          k[q] = std::sin(phase += 2.3);
+          const auto& shape = sides.quadrature().value[q];
+          for (std::size_t a = 0; a < Sides::N; ++a)
+            for (std::size_t c = 0; c < Sides::N; ++c) along[a][c] += (shape[a] * shape[c]) * k[q];
+        }
+        Small<Pack, Sides::N * Sides::D> matrix{};
+        sides.spread(along, matrix);
+        sides.batches().scatter_tangent(b, matrix, expected.data());
+        sides.add_tangent(b, k.data(), values.data());
+      }
+    });
+    for (std::size_t i = 0; i < size; ++i) EXPECT_NEAR(values[i], expected[i], 1e-13);
   });
 }
 

@@ -13,19 +13,22 @@ namespace {
 
 const DamageLaw law(0.5, 0.05, 0.8);
 
-TEST(PointLawsTest, ALawWithoutAHistoryIsTheSameObjectEverywhere) {
+TEST(PointLawsTest, ALawWithoutAHistoryKeepsNothing) {
   const LocalMesh mesh = test::box_part(2, ContactElement::Q1C1);
-  const PointLaws<VanDerWaals> laws(mesh, mesh.side_sets[mesh.side_set("bottom")], 3, VanDerWaals(2.5, 25));
-  EXPECT_EQ(&laws.at(0, 2), &laws.whole());
-  EXPECT_EQ(&laws.of(7), &laws.whole());
-  EXPECT_EQ(sizeof laws, sizeof(VanDerWaals));
+  const auto whole = gap_law(VanDerWaals(2.5, 25));
+  const PointLaws laws(mesh, mesh.side_sets[mesh.side_set("bottom")], 3, whole);
+  EXPECT_FALSE(laws.has_history());
+  EXPECT_TRUE(laws.history().points.empty());
+  const PointLaws::Kept kept = laws.in(nullptr, 0);
+  EXPECT_EQ(kept.at(0, 2).history, nullptr);
+  EXPECT_EQ(kept.of(7).law, whole.get());
 }
 
 TEST(PointLawsTest, EachPointHasAHistory) {
   const LocalMesh mesh = test::box_part(2, ContactElement::Q1C1);
   const std::vector<LocalSide>& sides = mesh.side_sets[mesh.side_set("bottom")];
   if (sides.empty()) return;  // on this rank
-  const PointLaws<DamageLaw> laws(mesh, sides, 2, law);
+  const PointLaws laws(mesh, sides, 2, gap_law(law));
   TermHistories histories({laws.history()});
   PointData& kept = histories.of(0).points.front().values;
   EXPECT_EQ(double(laws.in(&histories, 0).at(0, 0).traction(0.05)[0]),
@@ -34,7 +37,7 @@ TEST(PointLawsTest, EachPointHasAHistory) {
   EXPECT_NEAR(laws.accept(kept(0, 1), 0.3)[0], law.dissipated(0.2, 0.3)[0], 1e-17);
   EXPECT_EQ(laws.accept(kept(0, 1), 0.25)[0], 0);
   EXPECT_EQ(double(laws.in(&histories, 0).at(0, 1).traction(0.05)[0]), double(law.at(0.3).traction(0.05)[0]));
-  EXPECT_EQ(double(law_at(laws.in(&histories, 0).of(0), 1).traction(0.05)[0]), double(law.at(0.3).traction(0.05)[0]));
+  EXPECT_EQ(double(laws.in(&histories, 0).at(0, 1).traction(0.05)[0]), double(law.at(0.3).traction(0.05)[0]));
   EXPECT_EQ(double(laws.in(&histories, 0).at(0, 0).traction(0.05)[0]),
             double(law.at(law.first(0.0)).traction(0.05)[0]));
   EXPECT_THROW(laws.in(nullptr, 0), std::logic_error);

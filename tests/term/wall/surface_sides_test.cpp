@@ -13,7 +13,7 @@
 #include "mesh/selection.hpp"
 #include "support/contact_element.hpp"
 #include "support/scene_text.hpp"
-#include "term/wall/surface_terms.hpp"
+#include "term/side_kinds.hpp"
 
 namespace ixos {
 namespace {
@@ -43,11 +43,11 @@ struct Part {
 /// Calls visit(sides) for each kind of side of the set.
 template <class Visit>
 void for_sides(const Part& part, const std::string& set, int points, const Visit& visit) {
-  for_each_kind_of_side(part.mesh, part.mesh.side_sets[part.mesh.side_set(set)],
-                        [&](auto side, const std::vector<LocalSide>& group) {
-                          using SideElement = typename decltype(side)::type;
-                          visit(SurfaceSides<SideElement>(part.mesh, group, part.pattern, points));
-                        });
+  test::for_each_kind_of_side(part.mesh, part.mesh.side_sets[part.mesh.side_set(set)],
+                              [&](auto side, const std::vector<LocalSide>& group) {
+                                using SideElement = typename decltype(side)::type;
+                                visit(SurfaceSides<SideElement>(part.mesh, group, part.pattern, points));
+                              });
 }
 
 double area(const Part& part, const std::string& set, int points = 0) {

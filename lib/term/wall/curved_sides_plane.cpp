@@ -1,0 +1,7 @@
+#include "term/wall/point_matrices.hpp"
+
+namespace ixos {
+
+template std::unique_ptr<CurvedWallSides<2>> make_curved_sides(const LocalMesh&, const SideGroup&, const Pattern&, int);
+
+}  // namespace ixos
