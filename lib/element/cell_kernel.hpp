@@ -249,10 +249,8 @@ struct CellKernel {
     }
   }
 
- private:
-  /// Whether gradients of all points together take less than those of single points: not for cells of few nodes.
-  static constexpr bool is_factorised = !revolved && (D == 3 || N > 6);
-
+ protected:
+  /// Returns gradients by X from those by the element's coordinates.
   template <class T>
   static Small<T, D> product(const Small<T, D>& g, const Small<T, D>& inverse) {
     Small<T, D> h;
@@ -263,8 +261,9 @@ struct CellKernel {
       }
     return h;
   }
+  /// Returns weight P dxi/dX^T, for integrals with gradients by the element's coordinates; of a ring without the hoop.
   template <class T>
-  static Small<T, D> in_element_coordinates(const Point<T>& point, const Small<T, D>& p) {
+  static Small<T, D> in_element_coordinates(const Point<T>& point, const Small<T, G>& p) {
     Small<T, D> t;
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t d = 0; d < D; ++d) {
@@ -274,6 +273,10 @@ struct CellKernel {
       }
     return t;
   }
+
+ private:
+  /// Whether gradients of all points together take less than those of single points: not for cells of few nodes.
+  static constexpr bool is_factorised = !revolved && (D == 3 || N > 6);
 };
 
 }  // namespace ixos

@@ -11,8 +11,6 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/revolved.hpp"
-#include "material/revolved_law.hpp"
-#include "material/strain.hpp"
 
 namespace ixos {
 

@@ -120,7 +120,7 @@ struct EnhancedKernel : CellKernel<Element> {
             smaller(least_jacobian,
                     determinant(deformation_gradient(Base::gradient(*segment.to, Base::shape_gradients(geometry, q)))));
     if (law.is_limited() && !rule.has_end())
-      least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
+      least_jacobian = smaller(least_jacobian, admissibility_of<EnhancedKernel>(material, geometry, *segment.to));
     return least_jacobian;
   }
 
@@ -264,16 +264,6 @@ struct EnhancedKernel : CellKernel<Element> {
       done = select(small, T(1.0), done);
     }
   };
-
-  /// Returns the least admissibility at the end of the segment, modes included; 0 in lanes in which the iteration for
-  /// alpha failed.
-  template <class T>
-  static T end_admissibility(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment) {
-    const Relaxed<T> state(material, geometry, *segment.to);
-    T result(1e300);
-    for (const Small<T, G>& h : state.gradient) result = smaller(result, law_in<Space>(material).admissibility(h));
-    return select(state.found > 0.0, result, smaller(result, T(0.0)));
-  }
 
   /// Returns the modes as shape gradients of nodes, in a ring without hoop strain.
   template <class T>

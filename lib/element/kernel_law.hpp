@@ -31,4 +31,15 @@ T energy_of(const Material& material, const Geometry& geometry, const Small<T, N
   return select(found > 0.0, sum, T(std::numeric_limits<double>::quiet_NaN()));
 }
 
+/// Returns the least admissibility of what the law sees at a kernel's points; at most 0 in lanes where it sees nothing.
+template <class Kernel, class Material, class Geometry, class T, std::size_t N, std::size_t D>
+T admissibility_of(const Material& material, const Geometry& geometry, const Small<T, N, D>& u) {
+  std::vector<Small<T, Kernel::G>> h;
+  const T found = Kernel::seen(material, geometry, u, h);
+  const auto& law = law_in<typename Kernel::Space>(material);
+  T result(1e300);
+  for (const auto& own : h) result = smaller(result, law.admissibility(own));
+  return select(found > 0.0, result, smaller(result, T(0.0)));
+}
+
 }  // namespace ixos

@@ -3,6 +3,7 @@
 #include "element/cell_kernel.hpp"
 #include "element/kernel_law.hpp"
 #include "element/mean_dilatation_point.hpp"
+#include "material/meridian_moduli.hpp"
 
 namespace ixos {
 
@@ -76,7 +77,7 @@ struct MeanDilatationKernel : CellKernel<Element> {
     T least_jacobian(1e300);
     std::vector<Mean<T>> means = dilatations(finite, geometry, segment, rule, least_jacobian);
     if (law.is_limited() && !rule.has_end())
-      least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
+      least_jacobian = smaller(least_jacobian, admissibility_of<MeanDilatationKernel>(material, geometry, *segment.to));
     Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
       const typename Base::template Ends<T> ends(geometry, first, count, segment);
       std::array<Small<T, G>, batch> local;
@@ -205,17 +206,6 @@ struct MeanDilatationKernel : CellKernel<Element> {
         }
     }
   };
-
-  /// Returns the least admissibility of F~ at the end of the segment.
-  template <class T>
-  static T end_admissibility(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment) {
-    std::vector<Small<T, G>> h;
-    seen(material, geometry, *segment.to, h);
-    T least_admissibility(1e300);
-    for (const Small<T, G>& own : h)
-      least_admissibility = smaller(least_admissibility, law_in<Space>(material).admissibility(own));
-    return least_admissibility;
-  }
 
   /// Returns one Mean for each time point, with Jm - 1; lowers `least_jacobian` to the least J.
   template <class T>

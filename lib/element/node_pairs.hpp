@@ -5,6 +5,7 @@
 
 #include "base/small_matrix.hpp"
 #include "element/displacement_gradient.hpp"
+#include "material/meridian_moduli.hpp"
 #include "material/spatial_tangent.hpp"
 
 namespace ixos {

@@ -1,5 +1,6 @@
 /// A cure of volumetric locking for quadratic cells that derives from an energy: a linear field of the volume change.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -12,7 +13,7 @@
 #include "element/mean_dilatation_point.hpp"
 #include "element/point_gradients.hpp"
 #include "fem/quadratic_contact_elements.hpp"
-#include "material/revolved_law.hpp"
+#include "material/meridian_moduli.hpp"
 
 namespace ixos {
 
@@ -92,7 +93,8 @@ struct ProjectedDilatationKernel : CellKernel<Element> {
     const States<T> states(law.can_invert(), geometry, segment, rule);
     T least_jacobian = states.least_jacobian;
     if (law.is_limited() && !rule.has_end())
-      least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
+      least_jacobian =
+          smaller(least_jacobian, admissibility_of<ProjectedDilatationKernel>(material, geometry, *segment.to));
     const std::size_t size = states.size;
     std::vector<Small<T, G>> sums(size, Small<T, G>{}), inverses(size);
     std::vector<T> pressures(size), projected(size);
@@ -229,12 +231,14 @@ struct ProjectedDilatationKernel : CellKernel<Element> {
     result.resize(geometry.points.size());
     for (std::size_t q = 0; q < result.size(); ++q) {
       const auto& point = geometry.points[q];
-      Small<T, G> h{};
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j)
-          for (std::size_t d = 0; d < D; ++d) h[i][j] += scratch.gradients[q][i][d] * point.inverse_jacobian[d][j];
-      if constexpr (Base::revolved) h[2][2] = scratch.values[q][0] * point.inverse_radius;
-      result[q] = h;
+      const Small<T, D> in_plane = Base::product(scratch.gradients[q], point.inverse_jacobian);
+      if constexpr (Base::revolved) {
+        result[q] = {};
+        for (std::size_t i = 0; i < D; ++i) std::copy_n(in_plane[i].begin(), D, result[q][i].begin());
+        result[q][2][2] = scratch.values[q][0] * point.inverse_radius;
+      } else {
+        result[q] = in_plane;
+      }
     }
   }
 
@@ -244,12 +248,7 @@ struct ProjectedDilatationKernel : CellKernel<Element> {
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const auto& point = geometry.points[q];
       const Small<T, G> p = stress(q);
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t d = 0; d < D; ++d) {
-          T sum = p[i][0] * point.inverse_jacobian[d][0];
-          for (std::size_t j = 1; j < D; ++j) sum += p[i][j] * point.inverse_jacobian[d][j];
-          scratch.gradients[q][i][d] = point.weight * sum;
-        }
+      scratch.gradients[q] = Base::in_element_coordinates(point, p);
       if constexpr (Base::revolved) {
         scratch.values[q][0] = point.weight * point.inverse_radius * p[2][2];
         scratch.values[q][1] = T(0.0);
@@ -272,17 +271,6 @@ struct ProjectedDilatationKernel : CellKernel<Element> {
       law.stress(count, scaled.data(), p.data(), admissible.data());
       for (std::size_t q = 0; q < count; ++q) visit(first + q, at[q], p[q], admissible[q]);
     }
-  }
-
-  /// Returns the least admissibility of F~ at the end of the segment.
-  template <class T>
-  static T end_admissibility(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment) {
-    std::vector<Small<T, G>> h;
-    seen(material, geometry, *segment.to, h);
-    T least_admissibility(1e300);
-    for (const Small<T, G>& own : h)
-      least_admissibility = smaller(least_admissibility, law_in<Space>(material).admissibility(own));
-    return least_admissibility;
   }
 
   /// Computes Pi p, by time point and quadrature point.

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "interaction/elastic_slip.hpp"
-#include "interaction/friction_law.hpp"
+#include "interaction/friction.hpp"
 #include "interaction/smoothed_slip.hpp"
 
 namespace ixos {

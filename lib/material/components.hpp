@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/small_matrix.hpp"
-#include "material/revolved_law.hpp"
+#include "material/meridian_moduli.hpp"
 
 namespace ixos {
 

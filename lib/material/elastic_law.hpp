@@ -10,6 +10,7 @@
 #include "base/small_matrix.hpp"
 #include "material/lame.hpp"
 #include "material/point_law.hpp"
+#include "material/revolved_law.hpp"
 #include "material/strain.hpp"
 
 namespace ixos {

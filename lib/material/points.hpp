@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "base/small_matrix.hpp"
-#include "material/revolved_law.hpp"
+#include "material/meridian_moduli.hpp"
 #include "material/spatial_tangent.hpp"
 #include "rule/rule.hpp"
 

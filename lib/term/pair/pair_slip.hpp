@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "interaction/friction_law.hpp"
 #include "interaction/friction_step.hpp"
 #include "state/history.hpp"
 #include "state/place.hpp"
