@@ -96,7 +96,7 @@ int advise(const AdviceArguments& arguments, const std::string& output, const st
   options.overwrite = overwrite;
   options.interrupted = signalled;
   if (!quiet)
-    options.tell = [](const std::string& line) {
+    options.log = [](const std::string& line) {
       console::say("{}\n", printable(line));
       std::fflush(stdout);
     };

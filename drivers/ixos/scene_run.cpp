@@ -59,7 +59,7 @@ RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tel
   options.restart = arguments.restart;
   options.overwrite = arguments.overwrite;
   if (heard && tells) {
-    options.tell = [](const std::string& line) { console::say("{}\n", printable(line)); };
+    options.log = [](const std::string& line) { console::say("{}\n", printable(line)); };
     options.warn = [](const std::string& line) { console::complain("ixos: warning: {}\n", printable(line)); };
   }
   options.interrupted = signalled;

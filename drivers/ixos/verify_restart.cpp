@@ -34,7 +34,7 @@ RestartCheck restart_check(const Arguments& arguments) {
   check.steps = arguments.kill_steps;
   check.kills = arguments.kills;
   if (!arguments.quiet)
-    check.tell = [](const std::string& line) {
+    check.log = [](const std::string& line) {
       console::say("{}\n", printable(line));
       console::flush();
     };

@@ -1,4 +1,4 @@
-/// A cure of shear locking in bending, and of most volumetric locking, that derives from an energy: enhanced modes.
+/// A remedy for shear locking in bending, and of most volumetric locking, that derives from an energy: enhanced modes.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -44,7 +44,6 @@ struct EnhancedKernel : CellKernel<Element> {
   using typename Base::Space;
   static constexpr std::size_t C = Base::C;
   static_assert(N == std::size_t{1} << D, "multilinear elements only");
-  static constexpr bool has_discrete_gradient = false;
   /// Newton iterations for alpha; it takes 2 to 5 at moderate pressures.
   static constexpr int maximum_iterations = 20;
 

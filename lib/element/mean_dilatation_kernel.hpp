@@ -1,4 +1,4 @@
-/// A cure of volumetric locking that derives from an energy: one mean dilatation for the whole of a linear element.
+/// A remedy for volumetric locking that derives from an energy: one mean dilatation for the whole of a linear element.
 #pragma once
 #include "element/cell_kernel.hpp"
 #include "element/kernel_law.hpp"
@@ -34,7 +34,6 @@ struct MeanDilatationKernel : CellKernel<Element> {
   using Base::N;
   using typename Base::Space;
   static constexpr std::size_t C = Base::C;
-  static constexpr bool has_discrete_gradient = false;
 
   template <class T>
   using Nodal = typename Base::template Nodal<T>;

@@ -1,4 +1,5 @@
-/// A cure of volumetric locking for quadratic cells that derives from an energy: a linear field of the volume change.
+/// A remedy for volumetric locking for quadratic cells that derives from an energy: a linear field of the volume
+/// change.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -38,7 +39,6 @@ struct ProjectedDilatationKernel : CellKernel<Element> {
   using Base::N;
   using typename Base::Space;
   static constexpr std::size_t C = Base::C;
-  static constexpr bool has_discrete_gradient = false;
 
   using Table = typename Base::Table;
   template <class T>

@@ -31,7 +31,7 @@ CellInfo info_of(std::string_view name) {
           Traits::contact,
           Traits::pieces,
           Traits::hermite,
-          Traits::has_cures,
+          Traits::constant_strain,
           Traits::exodus,
           Traits::gmsh};
 }

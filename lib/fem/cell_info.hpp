@@ -19,7 +19,7 @@ struct CellInfo {
   int contact_side;
   std::string_view contact;
   int pieces;
-  bool hermite, has_cures;
+  bool hermite, constant_strain;
   std::string_view exodus;
   int gmsh;
 };

@@ -43,14 +43,14 @@ using SideNodes = std::vector<std::vector<int>>;
 /// - `Corners`, the linear element of its corners, and `Plain`, that of the same order without an enriched side;
 /// - `Sides`, a SideElements, and side_nodes().
 struct CommonCellTraits {
-  static constexpr int order = 1;               ///< without the enriched side: 1 or 2
-  static constexpr int contact_side = -1;       ///< the enriched side; -1: none
-  static constexpr std::string_view contact{};  ///< name of the enriched side's contact element, such as "Q1C2"
-  static constexpr int pieces = 1;              ///< into which a picture cuts it along each direction of that side
-  static constexpr bool has_cures = true;       ///< whether Mean Dilatation changes it
-  static constexpr bool hermite = false;        ///< whether that side's other nodes are derivatives
-  static constexpr std::string_view exodus{};   ///< name of the topology in Exodus files; empty: never written
-  static constexpr int gmsh = 0;                ///< number of the type in gmsh's files; 0: never read
+  static constexpr int order = 1;                 ///< without the enriched side: 1 or 2
+  static constexpr int contact_side = -1;         ///< the enriched side; -1: none
+  static constexpr std::string_view contact{};    ///< name of the enriched side's contact element, such as "Q1C2"
+  static constexpr int pieces = 1;                ///< into which a picture cuts it along each direction of that side
+  static constexpr bool constant_strain = false;  ///< J is constant: Mean Dilatation changes nothing
+  static constexpr bool hermite = false;          ///< whether that side's other nodes are derivatives
+  static constexpr std::string_view exodus{};     ///< name of the topology in Exodus files; empty: never written
+  static constexpr int gmsh = 0;                  ///< number of the type in gmsh's files; 0: never read
 };
 
 template <class Element>

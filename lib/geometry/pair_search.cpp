@@ -87,7 +87,7 @@ std::vector<int> projections_of_overlaps(const PlacedSurface<D>& primary, const 
     return projection.gap <= open_from || may_jump;
   };
   if (std::none_of(overlap.points.begin(), overlap.points.end(), may_be_deep)) return {};
-  return primary.reduced(center, radius, HUGE_VAL, 2 * motion + overlap.lead);
+  return primary.reduced(center, radius, HUGE_VAL, 2 * motion + overlap.clearance);
 }
 
 /// Returns the mean radius of balls around the patches.
@@ -153,9 +153,9 @@ std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& sur
 }
 
 template <std::size_t D>
-PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces, double lead, PairOverlap<D> overlap)
+PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces, double clearance, PairOverlap<D> overlap)
     : surfaces_(surfaces),
-      lead_(lead),
+      clearance_(clearance),
       overlap_(std::move(overlap)),
       secondary_amplification_(largest_amplification(surfaces.secondary)),
       primary_amplification_(largest_amplification(surfaces.primary)) {
@@ -164,7 +164,7 @@ PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces, double lead, PairOver
   std::iota(all->secondary.begin(), all->secondary.end(), std::size_t{0});
   all->primary.resize(all->secondary.size());
   all_ = std::move(all);
-  overlap_.lead = lead;
+  overlap_.clearance = clearance;
   overlap_.least = std::numeric_limits<double>::infinity();
 }
 
@@ -215,7 +215,7 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<con
   if (bounded)
     last_ = find_neighbours(surfaces_, places_, reach_, overlap_, reach_ - overlap_.least);
   else
-    last_ = find_nearest(surfaces_, places_, 2 * skin_ + lead_);
+    last_ = find_nearest(surfaces_, places_, 2 * skin_ + clearance_);
   return last_;
 }
 

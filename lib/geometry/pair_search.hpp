@@ -37,7 +37,7 @@ struct PairOverlap {
   double depth = 0;  ///< of the deepest overlap that counts, see PairOptions; 0: none beyond the range [L0]
   /// Lists of patches within a range can lack the closest points of overlaps that are deeper than this [L0].
   double least = std::numeric_limits<double>::infinity();
-  double lead = 0;                              ///< the greatest lead of closest points, see SurfaceProjection [L0]
+  double clearance = 0;  ///< the greatest clearance of closest points, see SurfaceProjection [L0]
   std::vector<PatchParameters<D>> points = {};  ///< of each secondary patch: forces act there
 };
 
@@ -63,15 +63,15 @@ std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& sur
 /// Finds neighbours and keeps them as long as they hold. Those within a range were searched within the range and a skin
 /// beyond it, its reach. They hold as long as the range and the change of gaps stay within that reach. Without a range
 /// they are the patches that can have closest points, and those that are farther by twice the skin and the greatest
-/// lead. They hold for places from which no gap can have changed by more than the skin. Closest points do not depend on
-/// which patches are kept, as long as these contain all that can have one. Lists within a range contain the closest
-/// points of overlaps, too.
+/// clearance. They hold for places from which no gap can have changed by more than the skin. Closest points do not
+/// depend on which patches are kept, as long as these contain all that can have one. Lists within a range contain the
+/// closest points of overlaps, too.
 template <std::size_t D>
 class PairSearch {
  public:
-  /// `lead`: the greatest lead of closest points, see SurfaceProjection [L0]. The surfaces must outlive it. `overlap`:
-  /// its `least` and its lead are not used.
-  PairSearch(const PairSurfaces<D>& surfaces, double lead, PairOverlap<D> overlap = {});
+  /// `clearance`: the greatest clearance of closest points, see SurfaceProjection [L0]. The surfaces must outlive it.
+  /// `overlap`: its `least` and its clearance are not used.
+  PairSearch(const PairSurfaces<D>& surfaces, double clearance, PairOverlap<D> overlap = {});
 
   /// Returns neighbours within the range at all of these places and on straight ways between them. If a place is no
   /// number, it returns what PairNeighbours says of such places, without a search.
@@ -89,7 +89,7 @@ class PairSearch {
 
  private:
   const PairSurfaces<D>& surfaces_;
-  double lead_;
+  double clearance_;
   PairOverlap<D> overlap_;
   double secondary_amplification_, primary_amplification_;
   std::shared_ptr<const PairNeighbours> all_, last_;

@@ -214,7 +214,7 @@ SurfaceProjection<D> PlacedSurface<D>::complete(const Vec<D>& place, const Best&
                                                 double slack) const {
   SurfaceProjection<D> projection;
   projection.patch = best.patch;
-  projection.lead = best.lead(slack);
+  projection.clearance = best.clearance(slack);
   if (projection.patch < 0) return projection;
   projection.xi = best.projection.xi;
   projection.fixed = best.projection.fixed;

@@ -23,7 +23,7 @@ struct SurfaceProjection {
   typename PlacedPatch<D>::Frame frame{};                ///< of the patch at the closest point
   /// How much farther all other patches are at least; without a closest point, by how much all patches are out of range
   /// [L0].
-  double lead = 0;
+  double clearance = 0;
 };
 
 /// Where the nearest point is likely to be. It changes the time of a search, and the result by rounding errors at most.
@@ -62,13 +62,13 @@ class PlacedSurface {
 
   const PlacedPatch<D>& patch(int number) const { return placed_[slot(number)]; }
   /// Returns the nearest point if it is nearer than `range`; else a closest point without a patch. The closest point
-  /// has no lead. The gap is positive on the outer side. At a kink, the sum of the normals of the patches that meet
-  /// there, weighted by their angles, tells the outer side (Baerentzen and Aanaes 2005); beyond a free rim the gap is
-  /// positive. It searches in the tree.
+  /// has no clearance. The gap is positive on the outer side. At a kink, the sum of the normals of the patches that
+  /// meet there, weighted by their angles, tells the outer side (Baerentzen and Aanaes 2005); beyond a free rim the gap
+  /// is positive. It searches in the tree.
   SurfaceProjection<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
                                const ProjectionGuess<D>& guess = {}) const;
   /// Does the same among these patches, ascending, which must contain all that are nearer than `range`, or than the
-  /// nearest one and the slack. `slack`: the greatest lead that the closest point can have; more of it costs time.
+  /// nearest one and the slack. `slack`: the greatest clearance that the closest point can have; more of it costs time.
   SurfaceProjection<D> nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
                                      const ProjectionGuess<D>& guess = {}, double slack = 0) const;
   /// Returns the nearest point of the patch that is known to be the nearest one. `guess`: names the patch.
@@ -115,7 +115,7 @@ class PlacedSurface {
     PatchProjection<D> projection;
     double others = std::numeric_limits<double>::infinity();
     explicit Best(double range) { projection.distance = range; }
-    double lead(double slack) const { return std::max(0.0, std::min(others - projection.distance, slack)); }
+    double clearance(double slack) const { return std::max(0.0, std::min(others - projection.distance, slack)); }
   };
   void place(const std::vector<Vec<D>>& x, const std::vector<int>& patches);
   std::size_t slot(int patch) const { return static_cast<std::size_t>(subset_ ? subset_->slots[at(patch)] : patch); }

@@ -20,9 +20,9 @@ int flipped(int corner, int bits) {
 
 /// Finds which corner of each cell is its coarse cell's. The opposite one is then the coarse cell's middle, and both
 /// nodes have the same part in all their cells, so that one cell decides for all that are connected with it.
-class Halver {
+class RefinementFinder {
  public:
-  explicit Halver(const Mesh& mesh)
+  explicit RefinementFinder(const Mesh& mesh)
       : mesh_(mesh), n_(std::size_t{1} << mesh.dimension), all_(static_cast<int>(n_) - 1) {}
 
   std::optional<Refinement> refinement() {
@@ -32,7 +32,7 @@ class Halver {
     part_.assign(static_cast<std::size_t>(mesh_.nodes()), Part::Unknown);
     for (int cell = 0; cell < static_cast<int>(cells_.size()); ++cell)
       if (outer_[index(cell)] < 0 && !decide(cell)) return std::nullopt;
-    if (!find_parents()) return std::nullopt;
+    if (!find_coarse_cells()) return std::nullopt;
     return std::move(result_);
   }
 
@@ -113,7 +113,7 @@ class Halver {
     return true;
   }
 
-  bool find_parents() {
+  bool find_coarse_cells() {
     std::vector<int> coarse_number(index(mesh_.nodes()), -1), coarse_cell(cells_.size(), -1);
     const auto d = index(mesh_.dimension);
     result_.coarse.dimension = mesh_.dimension;
@@ -201,6 +201,6 @@ class Halver {
 
 }  // namespace
 
-std::optional<Refinement> find_refinement(const Mesh& mesh) { return Halver(mesh).refinement(); }
+std::optional<Refinement> find_refinement(const Mesh& mesh) { return RefinementFinder(mesh).refinement(); }
 
 }  // namespace ixos

@@ -76,8 +76,8 @@ class Run {
   std::string hints(const StepResult& step) const;
   std::string with_position(const std::string& message) const;
   void transfer(Record& record);
-  void tell(const std::string& line) const {
-    if (options_.tell && comm_->getRank() == 0) options_.tell(line);
+  void log(const std::string& line) const {
+    if (options_.log && comm_->getRank() == 0) options_.log(line);
   }
   void warn(const std::string& line) const {
     if (options_.warn && comm_->getRank() == 0) options_.warn(line);
@@ -158,8 +158,8 @@ void Run::take_over(Run& before) {
   resumed_from_ = checkpoints_.newest();  // of another simulation: the watch does not go back there
   measures_.row(files_.history());
   stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
-  tell(fmt::format("The run continues with another simulation from t = {:.6g} T0, step {}.", integrator_.time(),
-                   result_.steps));
+  log(fmt::format("The run continues with another simulation from t = {:.6g} T0, step {}.", integrator_.time(),
+                  result_.steps));
 }
 
 /// A later finding of the same name knows more of the run.
@@ -181,11 +181,11 @@ void Run::begin() {
 /// New files, which begin with the present state.
 void Run::begin_files() {
   const ReplacedResults replaced = replaced_results(simulation_, options_.folder, options_.overwrite);
-  if (!replaced.note.empty()) tell(replaced.note);
+  if (!replaced.note.empty()) log(replaced.note);
   files_.open_folder(false);
   const long earlier = checkpoints_.begin(replaced.of_another);
   if (earlier >= 0 && checkpoints_.on())
-    tell(fmt::format(
+    log(fmt::format(
         "{} has checkpoints of an earlier run, up to step {}. The first checkpoint of this run replaces them.",
         options_.folder, earlier));
   files_.create();
@@ -201,8 +201,8 @@ void Run::go_on() {
     resume_files();
   else
     begin_files();
-  tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
-  for (const std::string& note : restart.notes()) tell(note);
+  log(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
+  for (const std::string& note : restart.notes()) log(note);
   warn_of_jump();
   stop(stop_.reason(simulation_.model(), integrator_.state()));
 }
@@ -336,7 +336,7 @@ void Run::go_back() {
   ++result_.restarts;
   result_.status = RunStatus::Completed;  // a stop criterion may have held in the damaged state
   result_.reason.clear();
-  tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", resumed_from_, integrator_.time(), result_.steps));
+  log(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", resumed_from_, integrator_.time(), result_.steps));
 }
 
 void Run::end() {

@@ -28,7 +28,7 @@ struct RunOptions {
   std::string scene_file;                        ///< the scene's path, for the records of fields.e; may be empty
   std::string restart;                           ///< a checkpoint to go on from; may be empty
   bool overwrite = false;                        ///< replace results of another scene, see replaced_results()
-  std::function<void(const std::string&)> tell;  ///< called with lines for a person, on rank 0; may be empty
+  std::function<void(const std::string&)> log;   ///< called with lines for a person, on rank 0; may be empty
   std::function<void(const std::string&)> warn;  ///< the same of warnings
   std::function<void(const Progress&)> watch;    ///< called after every step on rank 0; may be empty
   std::function<bool()> interrupted;             ///< asked before every step; set on all ranks or on none

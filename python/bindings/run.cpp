@@ -23,7 +23,7 @@ std::vector<std::string> messages(const std::vector<Warning>& warnings) {
 /// Runs to the final time. An exception of an observer, and Ctrl-C, end the run on all ranks as a signal ends the
 /// command: with a checkpoint. Then rethrows the exception, on the rank that has it.
 RunResult run_live(const py::object& self, const std::string& folder, bool overwrite, const std::string& restart,
-                   const py::object& tell) {
+                   const py::object& log) {
   auto& simulation = self.cast<LiveSimulation&>();
   const Changing change(simulation);
   std::exception_ptr stopped;
@@ -40,7 +40,7 @@ RunResult run_live(const py::object& self, const std::string& folder, bool overw
   options.scene_file = simulation.file();
   options.overwrite = overwrite;
   options.restart = restart;
-  if (!tell.is_none()) options.tell = [&](const std::string& line) { guarded([&] { tell(line); }); };
+  if (!log.is_none()) options.log = [&](const std::string& line) { guarded([&] { log(line); }); };
   options.observe = [&](const Progress&) {
     guarded([&] { notify(self); });
     return std::string();
@@ -87,7 +87,7 @@ void bind_run(py::module_& module, SimulationClass& simulation) {
         return fmt::format("<ixos.RunResult: {}, t = {:.6g} T0, {} steps{}{}>", to_string(r.status), r.end_time,
                            r.steps, r.reason.empty() ? "" : ": ", r.reason);
       });
-  simulation.def("_run", &run_live, py::arg("folder"), py::arg("overwrite"), py::arg("restart"), py::arg("tell"));
+  simulation.def("_run", &run_live, py::arg("folder"), py::arg("overwrite"), py::arg("restart"), py::arg("log"));
 }
 
 }  // namespace ixos::python

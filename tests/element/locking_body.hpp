@@ -1,4 +1,4 @@
-/// One element of each kernel, for the tests of the cures of locking.
+/// One element of each kernel, for the tests of the remedies for locking.
 #pragma once
 #include "element/cell_means.hpp"
 #include "element/elastic_kernel.hpp"

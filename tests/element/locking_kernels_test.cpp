@@ -1,4 +1,4 @@
-// The kernels that cure locking: derivatives of one energy, the patch test, what they refuse.
+// The kernels against locking: derivatives of one energy, the patch test, what they refuse.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -117,12 +117,12 @@ TEST(PairSearchSerialTest, WithoutARangeProjectionsAreAmongFewPatchesWhereverThe
 /// The disks nearly touch, and nodes move at random as far as the lists hold.
 TEST(PairSearchSerialTest, ListsWithoutARangeHaveAllThatAreFartherByTheLead) {
   const Disks disks;
-  const double lead = 0.2;
+  const double clearance = 0.2;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
   std::size_t missed = 0, listed = 0;
   for (int n = 0; n < 20; ++n) {
-    PairSearch<2> search(disks.surfaces, lead);
+    PairSearch<2> search(disks.surfaces, clearance);
     const PairPlaces<2> start = disks.moved({0.95, 0.1 * n}, {0, 0});
     const auto held = search.cover({&start}, HUGE_VAL);
     PairPlaces<2> at = start;
@@ -140,7 +140,7 @@ TEST(PairSearchSerialTest, ListsWithoutARangeHaveAllThatAreFartherByTheLead) {
           const PlacedPatch<2>& patch = primary.patch(static_cast<int>(p));
           const double distance =
               nearest_point(patch, patches[p].smooth, place, PatchBound<2>(patch).start(place)).distance;
-          if (distance > least + lead) continue;
+          if (distance > least + clearance) continue;
           ++listed;
           const std::vector<int>& own = held->primary[s];
           if (!std::binary_search(own.begin(), own.end(), static_cast<int>(p))) ++missed;

@@ -185,15 +185,15 @@ TEST(PlacedSurfaceTest, FewPatchesGiveTheProjectionsOfAll) {
   EXPECT_LT(2 * after, before);
 }
 
-/// All other patches are farther than the closest point by its lead, and without a closest point all are out of range
-/// by it.
+/// All other patches are farther than the closest point by its clearance, and without a closest point all are out of
+/// range by it.
 TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
   const test::SpherePatches sphere(1, 6, Smoothing::CatmullRom);
   const PlacedSurface<3> all(sphere.patches(), sphere.x);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
   const double range = 0.4, slack = 0.1;
-  int leads = 0, out = 0;
+  int clearances = 0, out = 0;
   for (int n = 0; n < 300; ++n) {
     Vec<3> place{number(random), number(random), number(random)};
     place = (1.25 + 0.4 * number(random)) / length(place) * place;
@@ -204,9 +204,9 @@ TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
     for (const SurfaceProjection<3>& projection :
          {all.nearest_among(few, place, range, {}, slack),
           all.nearest_among(fewer, place, range, {few.empty() ? -1 : few.back(), {}}, slack)}) {
-      EXPECT_GE(projection.lead, 0);
-      EXPECT_LE(projection.lead, slack);
-      leads += projection.lead > 0.01 ? 1 : 0;
+      EXPECT_GE(projection.clearance, 0);
+      EXPECT_LE(projection.clearance, slack);
+      clearances += projection.clearance > 0.01 ? 1 : 0;
       out += projection.patch < 0 ? 1 : 0;
       for (std::size_t p = 0; p < sphere.patches().size(); ++p) {
         const int patch = static_cast<int>(p);
@@ -214,7 +214,7 @@ TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
         const PlacedPatch<3>& placed = all.patch(patch);
         const double distance =
             nearest_point(placed, sphere.patches()[p].smooth, place, PatchBound<3>(placed).start(place)).distance;
-        EXPECT_GE(distance, (projection.patch < 0 ? range : std::abs(projection.gap)) + projection.lead - 1e-12);
+        EXPECT_GE(distance, (projection.patch < 0 ? range : std::abs(projection.gap)) + projection.clearance - 1e-12);
       }
       if (projection.patch >= 0) {
         EXPECT_NEAR(all.nearest_on({projection.patch, PatchParameters<3>{0.5, 0.5}}, place, range).gap, projection.gap,
@@ -222,7 +222,7 @@ TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
       }
     }
   }
-  EXPECT_GT(leads, 200);
+  EXPECT_GT(clearances, 200);
   EXPECT_GT(out, 100);
 }
 

@@ -272,9 +272,9 @@ TEST(TrianglesTest, QualityIsOneForEquilateralTriangles) {
 }
 
 TEST(TrianglesTest, CuresAreRefusedForThem) {
-  for (const Formulation cure : {Formulation::MeanDilatation, Formulation::Enhanced})
+  for (const Formulation remedy : {Formulation::MeanDilatation, Formulation::Enhanced})
     EXPECT_NE(test::refusal([&] {
-                model_of(mixed_plate(), Inertia::None, cure);
+                model_of(mixed_plate(), Inertia::None, remedy);
               }).find("block \"triangles\": the strain of linear triangles is constant"),
               std::string::npos);
 }

@@ -139,8 +139,8 @@ class RunTest(FolderTest):
 
     def test_lines_are_told(self):
         lines = []
-        free_block(steps=4).run(self.folder / "run", tell=lines.append)
-        free_block(steps=4).run(self.folder / "run", tell=lines.append, restart=self.folder / "run")
+        free_block(steps=4).run(self.folder / "run", log=lines.append)
+        free_block(steps=4).run(self.folder / "run", log=lines.append, restart=self.folder / "run")
         self.assertTrue(any(line.startswith("Resumes from") for line in lines), lines)
 
     def test_warnings_have_the_commands_words(self):

@@ -29,7 +29,7 @@ class EnergyWatchTest : public RestartTest {
     RunOptions options;
     options.folder = folder(name);
     options.overwrite = true;  // one test runs several scenes into a folder
-    options.tell = [this](const std::string& line) { told_ += line + "\n"; };
+    options.log = [this](const std::string& line) { told_ += line + "\n"; };
     options.warn = [this](const std::string& line) { ++warnings_, told_ += line + "\n"; };
     observed_.clear();
     calls_ = 0;

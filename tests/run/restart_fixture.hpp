@@ -83,7 +83,7 @@ class RestartTest : public testing::Test {
     options.restart = restart;
     options.overwrite = true;  // one test runs several scenes into a folder
     options.interrupted = interrupted;
-    options.tell = [this](const std::string& line) { told_ += line + "\n"; };
+    options.log = [this](const std::string& line) { told_ += line + "\n"; };
     options.warn = [this](const std::string& line) { warned_ += line + "\n"; };
     return run(simulation, options);
   }

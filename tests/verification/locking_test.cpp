@@ -1,4 +1,4 @@
-// Locking and its cures where it shows: Cook's membrane, nearly incompressible, and slender cantilevers.
+// Locking and its remedies where it shows: Cook's membrane, nearly incompressible, and slender cantilevers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,14 +83,14 @@ TEST(LockingSerialTest, CooksMembraneOfANearlyIncompressibleMaterial) {
   const auto tip = [&](int divisions, Formulation formulation) {
     return deflection(membrane(divisions, linear_elastic, lame, 1.0), formulation);
   };
-  const Formulation cures[] = {Formulation::MeanDilatation, Formulation::Enhanced};
+  const Formulation remedies[] = {Formulation::MeanDilatation, Formulation::Enhanced};
   double coarsest[2], finest[2], last_change[2];
   for (std::size_t k = 0; k < 2; ++k) {
     // The corner at the clamp is singular: first order at best. The tip is always too stiff.
-    double before = coarsest[k] = tip(4, cures[k]);
+    double before = coarsest[k] = tip(4, remedies[k]);
     double change = before;
     for (int divisions : {8, 16, 32}) {
-      const double now = tip(divisions, cures[k]);
+      const double now = tip(divisions, remedies[k]);
       EXPECT_GT(now, before) << divisions;
       EXPECT_LT(now - before, 0.6 * change) << divisions;
       change = now - before;
@@ -109,7 +109,7 @@ TEST(LockingSerialTest, CooksMembraneAtLargeDisplacements) {
     const Lame lame{mu, mu * 2 * nu / (1 - 2 * nu)};
     return deflection(membrane(divisions, neo_hooke, lame, 100, 4), formulation);
   };
-  double share = 1;  // of the cured deflection that standard elements reach: the less, the stiffer the bulk
+  double share = 1;  // of the right deflection that standard elements reach: the less, the stiffer the bulk
   for (double nu : {0.4, 0.49, 0.499, 0.4999}) {
     const double coarse = tip(8, nu, Formulation::MeanDilatation), mean = tip(16, nu, Formulation::MeanDilatation);
     const double standard = tip(16, nu, Formulation::Standard) / mean;

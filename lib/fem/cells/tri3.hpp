@@ -33,7 +33,7 @@ struct CellTraits<Tri3> : CommonCellTraits {
   using Corners = Tri3;
   using Plain = Tri3;
   using Sides = SideElements<Line2, Line2, Line2>;
-  static constexpr bool has_cures = false;  // J is constant: there is nothing to average
+  static constexpr bool constant_strain = true;
   static constexpr std::string_view exodus = "TRI3";
   static constexpr int gmsh = 2;
   static SideNodes side_nodes() { return {{0, 1}, {1, 2}, {2, 0}}; }

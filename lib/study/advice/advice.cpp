@@ -175,7 +175,7 @@ std::optional<Advice> answer_in_plane(const AdviceQuestion& question, const Advi
     why = std::isfinite(plane->difference)
               ? fmt::format("the quantities or their columns differ by {:.2g} %", 100 * plane->difference)
               : "one of the first runs failed, or a quantity is 0";
-  if (options.tell) options.tell("Two dimensions will not do: " + why + ".");
+  if (options.log) options.log("Two dimensions will not do: " + why + ".");
   return std::nullopt;
 }
 

@@ -25,10 +25,10 @@ struct AdviceOptions {
   std::string folder;  ///< results go here: runs/<name>/ for each run. Created if missing
   std::string driver;  ///< path of the program ixos
   std::string version;
-  int jobs = 1;                                  ///< runs at a time
-  bool overwrite = false;                        ///< replaces the results of another advice or study
-  std::function<void(const std::string&)> tell;  ///< called with one line for the budget and for each run; may be empty
-  std::function<bool()> interrupted;             ///< called between polls; may be empty
+  int jobs = 1;                                 ///< runs at a time
+  bool overwrite = false;                       ///< replaces the results of another advice or study
+  std::function<void(const std::string&)> log;  ///< called with one line for the budget and for each run; may be empty
+  std::function<bool()> interrupted;            ///< called between polls; may be empty
 };
 
 /// Two dimensions in place of three.

@@ -88,10 +88,10 @@ void AdviceRuns::run(const std::vector<StudyRun>& runs, RunPool& pool) {
   const bool complete = pool.carry_out(runs, options_.jobs, [&](std::size_t number, bool reused) {
     const RunRecord record = pool.record(runs[number]);
     spent_ += record.cpu_seconds;
-    if (options_.tell)
-      options_.tell(fmt::format("{}: {}, {:.3g} s{}", runs[number].labels.front(),
-                                record.status + (record.reason.empty() ? "" : ": " + record.reason), record.cpu_seconds,
-                                reused ? " (reused)" : ""));
+    if (options_.log)
+      options_.log(fmt::format("{}: {}, {:.3g} s{}", runs[number].labels.front(),
+                               record.status + (record.reason.empty() ? "" : ": " + record.reason), record.cpu_seconds,
+                               reused ? " (reused)" : ""));
   });
   if (!complete) throw Interrupted();
 }

@@ -51,9 +51,9 @@ void AdviceSearch::begin(const Teuchos::ParameterList& control) {
   runs_.set_budget(given ? question_.budget : std::max(tuning::times_the_scene * scene, tuning::least_budget));
   const std::string origin = fmt::format(", the larger of {:g} times the scene as it is and {:g} s",
                                          tuning::times_the_scene, tuning::least_budget);
-  if (options_.tell)
-    options_.tell(fmt::format("Budget: {:.3g} s of processor time{}. The scene as it is takes about {:.2g} s.",
-                              runs_.budget(), given ? "" : origin, scene));
+  if (options_.log)
+    options_.log(fmt::format("Budget: {:.3g} s of processor time{}. The scene as it is takes about {:.2g} s.",
+                             runs_.budget(), given ? "" : origin, scene));
 }
 
 AdviceStatus AdviceSearch::find() {

@@ -88,15 +88,15 @@ class Checker {
     std::error_code code;
     std::filesystem::create_directories(check_.folder, code);
     if (code) throw FileError(check_.folder + ": cannot be created: " + code.message());
-    tell(fmt::format("Runs {} without kills, then with kills. Results and messages go to {}", check_.scene,
-                     check_.folder));
+    report(fmt::format("Runs {} without kills, then with kills. Results and messages go to {}", check_.scene,
+                       check_.folder));
     const int end = process(whole_, "undisturbed.log", check_.overwrite ? Words{"--overwrite"} : Words{});
     if (stopped_) return {RestartCheckStatus::Interrupted, "", interrupted};
     if (end == bad_input) return refused();
     if (!has_results(end, whole_)) return failed(end, "undisturbed.log");
     const long total = steps_of(whole_);
-    tell(fmt::format("Undisturbed: {} steps{}", total,
-                     end == diverged ? ", then the solution cannot be continued" : ""));
+    report(fmt::format("Undisturbed: {} steps{}", total,
+                       end == diverged ? ", then the solution cannot be continued" : ""));
     const std::vector<long> steps = chosen_steps(check_, total);
     long before = 0;
     for (const long step : steps) {
@@ -129,10 +129,10 @@ class Checker {
                !d.empty()) {
       differs("history.csv: " + d);
     } else {
-      tell(fmt::format("{}, killed after step {}: the same up to step {}", name(before), step + 1, step));
+      report(fmt::format("{}, killed after step {}: the same up to step {}", name(before), step + 1, step));
       return true;
     }
-    if (result_.status == RestartCheckStatus::Different) tell(name(before) + ": DIFFERENT: " + result_.message);
+    if (result_.status == RestartCheckStatus::Different) report(name(before) + ": DIFFERENT: " + result_.message);
     if (result_.status == RestartCheckStatus::Different && before == 0)
       result_.status = RestartCheckStatus::Unrepeatable;
     return false;
@@ -145,7 +145,7 @@ class Checker {
     if (!has_results(status, parts_)) return failed(status, "end.log");
     if (status != expected) differs(fmt::format("exit status {} and {}", expected, status));
     if (const std::string d = results_difference(whole_, parts_); !d.empty()) differs(d);
-    tell(name(before) + (result_.message.empty() ? ": the same up to the end" : ": DIFFERENT: " + result_.message));
+    report(name(before) + (result_.message.empty() ? ": the same up to the end" : ": DIFFERENT: " + result_.message));
     return result_;
   }
 
@@ -197,8 +197,8 @@ class Checker {
   void differs(const std::string& difference) {
     if (result_.message.empty()) result_ = {RestartCheckStatus::Different, difference, 0};
   }
-  void tell(const std::string& line) const {
-    if (check_.tell) check_.tell(line);
+  void report(const std::string& line) const {
+    if (check_.log) check_.log(line);
   }
 
   const RestartCheck& check_;

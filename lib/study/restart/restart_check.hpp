@@ -17,8 +17,8 @@ struct RestartCheck {
   bool overwrite = false;   ///< passed to the runs: replace results of another scene there
   std::vector<long> steps;  ///< the steps to resume from, ascending, at least 1; empty: `kills` of them
   int kills = 3;            ///< spread evenly over the run
-  std::function<void(const std::string&)> tell;  ///< called with one line for each part of the check; may be empty
-  std::function<bool()> interrupted;             ///< called between polls; may be empty
+  std::function<void(const std::string&)> log;  ///< called with one line for each part of the check; may be empty
+  std::function<bool()> interrupted;            ///< called between polls; may be empty
 };
 
 /// Unrepeatable: the second run differs before its first kill, so that restarts cannot be judged.

@@ -8,8 +8,8 @@
 #include "element/cell_kernel.hpp"
 #include "fem/corner_element.hpp"
 #include "term/body/block_cells.hpp"
-#include "term/child_matrices.hpp"
 #include "term/corner_matrices.hpp"
+#include "term/galerkin_products.hpp"
 
 namespace ixos {
 
@@ -191,24 +191,24 @@ class BodyCellsOf final : public BodyCells<SpaceOf<Element>> {
     }
   }
 
-  /// Adds S^T k S of each cell, column by column.
+  /// Adds P^T k P of each cell, column by column.
   void add_to_coarse_cells(const PointProduct<D>& product, const NarrowPack* data, std::size_t size,
                            const CoarseSpace& coarse, double* values) const {
     PointScratch<D, Pack> scratch(this->points_);
-    const auto set_matrix = [&](std::size_t b, const ChildShares<N>& shares, Small<Pack, N * D>& k) {
+    const auto set_matrix = [&](std::size_t b, const Prolongation<N>& prolongation, Small<Pack, N * D>& k) {
       for (std::size_t column = 0; column < N * D; ++column) {
         Nodal u{}, f{};
-        for (std::size_t a = 0; a < N; ++a) u[a][column % D] = shares[a][column / D];
+        for (std::size_t a = 0; a < N; ++a) u[a][column % D] = prolongation[a][column / D];
         multiply(product, data + b * size, u, scratch, f);
         for (std::size_t p = 0; p < N; ++p)
           for (std::size_t i = 0; i < D; ++i) {
             Pack sum = 0.0;
-            for (std::size_t a = 0; a < N; ++a) sum += shares[a][p] * f[a][i];
+            for (std::size_t a = 0; a < N; ++a) sum += prolongation[a][p] * f[a][i];
             k[p * D + i][column] = sum;
           }
       }
     };
-    add_child_matrices(
+    add_galerkin_products(
         cells_of_.batches, coarse, [this](std::size_t b) { return cells_of_.owned[b]; }, set_matrix, values);
   }
 

@@ -13,14 +13,14 @@ std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const Local
     throw InputError("block \"" + block.name +
                      "\": quadratic cells do not lock in bending and have no Enhanced formulation; use Standard, or "
                      "Mean Dilatation for nearly incompressible materials");
-  if (formulation != Formulation::Standard && !cell_info(block.type).has_cures)
+  if (formulation != Formulation::Standard && cell_info(block.type).constant_strain)
     throw InputError(
         "block \"" + block.name +
         "\": the strain of linear triangles is constant, so that neither Mean Dilatation nor Enhanced changes "
         "them; use Standard, or quadrilaterals");
-  const bool cures =
-      formulation == Formulation::MeanDilatation || (formulation == Formulation::Enhanced && !is_enriched(block.type));
-  if (!cures) return make_standard_term(mesh, block, pattern, law, points);
+  const bool standard =
+      formulation == Formulation::Standard || (formulation == Formulation::Enhanced && is_enriched(block.type));
+  if (standard) return make_standard_term(mesh, block, pattern, law, points);
   if (formulation == Formulation::Enhanced) return make_enhanced_term(mesh, block, pattern, law, points);
   if (mesh.axisymmetric) return make_ring_dilatation_term(mesh, block, pattern, law, points);
   return (mesh.dimension == 2 ? make_plane_dilatation_term : make_solid_dilatation_term)(mesh, block, pattern, law,

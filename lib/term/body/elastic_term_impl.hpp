@@ -1,4 +1,4 @@
-/// The elastic terms of kernels that cure locking; included only where terms are made, see elastic_term.hpp.
+/// The elastic terms of kernels against locking; included only where terms are made, see elastic_term.hpp.
 #pragma once
 #include "fem/cell_type.hpp"  // whose names the elements below have, too
 
@@ -117,7 +117,7 @@ std::unique_ptr<Elasticity> make_dilatation_term(const LocalMesh& mesh, const Lo
   return with_element_of<D>(block.type, [&](auto tag) -> std::unique_ptr<Elasticity> {
     using Plain = typename decltype(tag)::type;
     using Element = std::conditional_t<revolved, Revolved<Plain>, Plain>;
-    if constexpr (CellTraits<Plain>::has_cures)
+    if constexpr (!CellTraits<Plain>::constant_strain)
       return make_kernel_term<DilatationKernel, Element>(mesh, block, pattern, law, points);
     else
       throw std::logic_error("these cells have Standard elements only");

@@ -38,13 +38,13 @@ ProjectionGuess<D> EarlierProjections<D>::guess(std::size_t secondary, std::size
   return result;
 }
 
-/// A closest point's patch comes no farther than by the motion, and others come no nearer than by it. A lead says
+/// A closest point's patch comes no farther than by the motion, and others come no nearer than by it. A clearance says
 /// nothing of patches that were no neighbours.
 template <std::size_t D>
-double EarlierProjections<D>::lead(std::size_t secondary, std::size_t point) const {
+double EarlierProjections<D>::clearance(std::size_t secondary, std::size_t point) const {
   const PairContact<D>* const known = last != nullptr && same_neighbours ? last->find(secondary, point) : nullptr;
   if (known == nullptr) return 0;
-  return known->projection.lead - (known->projection.patch < 0 ? 1 : 2) * motion;
+  return known->projection.clearance - (known->projection.patch < 0 ? 1 : 2) * motion;
 }
 
 template <std::size_t D>

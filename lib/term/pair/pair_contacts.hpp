@@ -51,13 +51,13 @@ struct EarlierProjections {
   const PairContacts<D>* last_but_one = nullptr;  ///< at places before them on the same path, or null
   double longer = 0;                              ///< the way since the last places over that between the two
   double motion = 0;                              ///< a bound on the change of a gap since the last places [L0]
-  /// The lead that closest points need until the last of the places, or the most that is worth its time [L0].
+  /// The clearance that closest points need until the last of the places, or the most that is worth its time [L0].
   double slack = 0;
 
   /// Returns where the projection of a point is likely to be. `patch`: the likely one if nothing else is known.
   ProjectionGuess<D> guess(std::size_t secondary, std::size_t point, int patch) const;
-  /// Returns the least lead that the closest point still has; 0 if it may have none.
-  double lead(std::size_t secondary, std::size_t point) const;
+  /// Returns the least clearance that the closest point still has; 0 if it may have none.
+  double clearance(std::size_t secondary, std::size_t point) const;
 };
 
 /// Sets this for each of these times, whose places are set. `earlier`: the same number of times, at other places near

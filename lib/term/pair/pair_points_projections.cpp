@@ -97,7 +97,7 @@ void PairPoints<D>::find_projections(Contacts& contacts, const EarlierProjection
       const Vec<D>& place = points.places[q];
       Contact contact{s, q, entry, place};
       const ProjectionGuess<D> start = earlier.guess(s, q, guess);
-      const double lead = earlier.lead(s, q);
+      const double clearance = earlier.clearance(s, q);
       if (!contacts.primary) {
         contact.projection.patch = 0;
         contact.projection.gap = nan;
@@ -105,11 +105,11 @@ void PairPoints<D>::find_projections(Contacts& contacts, const EarlierProjection
         for (Vec<D>& tangent : contact.projection.frame.tangents) tangent.fill(nan);
       } else if (const Contact* const known = earlier.same ? earlier.last->find(s, q) : nullptr; known != nullptr) {
         contact.projection = known->projection;  // to the last bit, whatever neighbours a search found in between
-        if (!earlier.same_neighbours) contact.projection.lead = 0;
-      } else if (lead > 0) {
+        if (!earlier.same_neighbours) contact.projection.clearance = 0;
+      } else if (clearance > 0) {
         const int patch = earlier.last->find(s, q)->projection.patch;
         if (patch >= 0) contact.projection = contacts.primary->nearest_on(start, place, farthest);
-        contact.projection.lead = contact.projection.patch == patch ? lead : 0;
+        contact.projection.clearance = contact.projection.patch == patch ? clearance : 0;
       } else if (visibility_) {
         contact.projection = contacts.primary->nearest_of(candidates, place, farthest);
       } else {

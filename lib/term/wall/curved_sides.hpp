@@ -11,7 +11,7 @@
 
 namespace ixos {
 
-/// Nodal arrays of a batch of sides are vectors. Where sides are made, term/wall/point_matrices.hpp is included.
+/// Nodal arrays of a batch of sides are vectors. Where sides are made, term/wall/curved_sides_of.hpp is included.
 template <class SideElement>
 class CurvedSides final : public SurfaceSides<SideElement, CurvedWallSides<SideElement::dimension + 1>> {
   using Base = SurfaceSides<SideElement, CurvedWallSides<SideElement::dimension + 1>>;

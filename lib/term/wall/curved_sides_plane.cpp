@@ -1,4 +1,4 @@
-#include "term/wall/point_matrices.hpp"
+#include "term/wall/curved_sides_of.hpp"
 
 namespace ixos {
 

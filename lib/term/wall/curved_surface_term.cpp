@@ -27,6 +27,7 @@ class CurvedSurfaceTerm final : public SurfaceInteractionTerm<CurvedSurfaceTerm<
   using typename Points::Ends;
   using typename Points::Matrix;
   using typename Points::Sides;
+  using Kept = KeptStiffness<Matrix>;
   friend SurfaceInteractionTerm<CurvedSurfaceTerm>;
 
  public:
@@ -191,10 +192,6 @@ class CurvedSurfaceTerm final : public SurfaceInteractionTerm<CurvedSurfaceTerm<
   }
 
  private:
-  struct Kept final : KeptPoints {
-    std::vector<Matrix> stiffness;  ///< batches x quadrature points
-  };
-
   /// See SurfaceInteractionTerm.
   void add_nodal_pressure(const Place& at, double* force) const {
     const PointLaws::Kept laws = this->laws(at.histories);

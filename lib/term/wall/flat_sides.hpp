@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "term/child_matrices.hpp"
 #include "term/corner_matrices.hpp"
+#include "term/galerkin_products.hpp"
 #include "term/wall/sides_of.hpp"
 #include "term/wall/surface_sides.hpp"
 
@@ -188,10 +188,10 @@ class FlatSides final : public SurfaceSides<SideElement, FlatWallSides<SideEleme
     void add_coarse(const CoarseSpace& coarse, double* values) const override {
       using Corners = typename CornerElement<SideElement>::type;
       if constexpr (is_linear_element<SideElement>) {
-        add_child_matrices(
+        add_galerkin_products(
             sides_.batches(), coarse, [this](std::size_t b) { return sides_.owned(b); },
-            [&](std::size_t b, const ChildShares<N>& shares, auto& k) {
-              sides_.spread(on_parents<N, 1>(shares, along_[b]), k);
+            [&](std::size_t b, const Prolongation<N>& prolongation, auto& k) {
+              sides_.spread(galerkin_product<N, 1>(prolongation, along_[b]), k);
             },
             values);
       } else if constexpr (std::is_void_v<Corners>) {

@@ -26,6 +26,7 @@ class FrictionTerm final : public FrictionInteraction {
   using In = typename Points::In;
   using Ends = SideEnds<D>;
   using Matrix = Small<Pack, D>;
+  using Kept = KeptStiffness<Matrix>;
 
  public:
   FrictionTerm(const LocalMesh& mesh, const std::vector<LocalSide>& group, std::unique_ptr<Sides> sides,
@@ -176,10 +177,6 @@ class FrictionTerm final : public FrictionInteraction {
     if (histories == nullptr) throw std::logic_error("friction needs the histories of a state");
     return {points_, histories->of(slot()), step != nullptr ? &step->of<Memory>(slot()) : nullptr};
   }
-
-  struct Kept final : KeptPoints {
-    std::vector<Matrix> stiffness;  ///< batches x quadrature points; batches without friction have none
-  };
 
   /// Adds the force and calls keep(batch, point, exact stiffness).
   template <SlipPart part, class Keep>

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
 
-#include "term/child_matrices.hpp"
 #include "term/corner_matrices.hpp"
+#include "term/galerkin_products.hpp"
 #include "term/wall/curved_sides.hpp"
-#include "term/wall/sides_of.hpp"
 
 namespace ixos {
 
@@ -62,12 +60,12 @@ class PointMatrices final : public SideMatrices<Small<Pack, SideElement::dimensi
   void add_coarse(const CoarseSpace& coarse, double* values) const override {
     using Corners = typename CornerElement<SideElement>::type;
     if constexpr (is_linear_element<SideElement>) {
-      add_child_matrices(
+      add_galerkin_products(
           sides_.batches(), coarse, [this](std::size_t b) { return sides_.owned(b); },
-          [&](std::size_t b, const ChildShares<N>& shares, Small<Pack, N * D>& k) {
+          [&](std::size_t b, const Prolongation<N>& prolongation, Small<Pack, N * D>& k) {
             Small<Pack, N * D> own;
             Sides::sum_over_points(sides_.quadrature(), &k_[b * points_], own);
-            k = on_parents<N, D>(shares, own);
+            k = galerkin_product<N, D>(prolongation, own);
           },
           values);
     } else if constexpr (std::is_void_v<Corners>) {
@@ -88,16 +86,5 @@ class PointMatrices final : public SideMatrices<Small<Pack, SideElement::dimensi
   std::size_t points_;
   std::vector<Matrix> k_;  ///< batches x quadrature points
 };
-
-template <class SideElement>
-auto CurvedSides<SideElement>::create_matrices() const -> std::unique_ptr<typename Interface::Matrices> {
-  return std::make_unique<PointMatrices<SideElement>>(*this);
-}
-
-template <std::size_t D>
-std::unique_ptr<CurvedWallSides<D>> make_curved_sides(const LocalMesh& mesh, const SideGroup& group,
-                                                      const Pattern& pattern, int points) {
-  return sides_of<D, CurvedSides, CurvedWallSides<D>>(group, mesh, group.sides, pattern, points);
-}
 
 }  // namespace ixos

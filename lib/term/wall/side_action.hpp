@@ -1,12 +1,19 @@
-/// The tangent of a surface before an obstacle, applied without a matrix.
+/// The tangent of a surface before an obstacle, applied without a matrix, and what is kept for it.
 #pragma once
 #include <functional>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "term/force_term.hpp"
 
 namespace ixos {
+
+/// Matrices of quadrature points, kept beside forces.
+template <class K>
+struct KeptStiffness final : KeptPoints {
+  std::vector<K> stiffness;  ///< batches x quadrature points; batches where nothing acts may have none
+};
 
 /// Keeps a matrix for each side. `Sides`: FlatWallSides or CurvedWallSides, which must outlive it.
 template <class Sides>

@@ -1,4 +1,4 @@
-"""Poisson's ratios from 0 to 0.4999, and elements of aspect 1 to 1000: locking, and its cures, in bending."""
+"""Poisson's ratios from 0 to 0.4999, and elements of aspect 1 to 1000: locking, and its remedies, in bending."""
 from runs import ELEMENTS, STEPS, box, element, held, number, ramp, table
 import style
 

@@ -298,9 +298,9 @@ TEST(WarningsTest, NearlyIncompressibleStandardCells) {
                  "locking",
                  "one of them is 13.3 times as stiff in bending as the material, 16 layers of them may be 1.05");
   expect_warning("strip.xml", {"Materials/Strip/Poisson's Ratio=0.49"}, "locking", "use the Element Formulation");
-  for (const char* cure : {"Materials/Ball/Element Formulation=Mean Dilatation",
-                           "Materials/Ball/Element Formulation=Enhanced", "Mesh/Cell Order=2"})
-    EXPECT_FALSE(warns_of_locking("ball.xml", {ball + "Poisson's Ratio=0.4995", cure})) << cure;
+  for (const char* remedy : {"Materials/Ball/Element Formulation=Mean Dilatation",
+                             "Materials/Ball/Element Formulation=Enhanced", "Mesh/Cell Order=2"})
+    EXPECT_FALSE(warns_of_locking("ball.xml", {ball + "Poisson's Ratio=0.4995", remedy})) << remedy;
   EXPECT_FALSE(warns_of_locking("ball.xml", {ball + "Poisson's Ratio=0.45"}));
 }
 

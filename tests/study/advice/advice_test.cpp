@@ -48,7 +48,7 @@ class AdviceTest : public testing::Test {
     options_.folder = folder_.path() + "/out";
     options_.driver = IXOS_TEST_DIRECTORY "/study/formula_run.py";
     options_.version = "1";
-    options_.tell = [this](const std::string& line) { told_ += line + "\n"; };
+    options_.log = [this](const std::string& line) { told_ += line + "\n"; };
     for (const char* variable : {"IXOS_STRAINS", "IXOS_FAILURE"}) unsetenv(variable);
   }
   Advice advice(const std::string& formula, double tolerance, const std::string& quantity = "final force") {

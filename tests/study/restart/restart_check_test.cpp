@@ -55,7 +55,7 @@ class RestartCheckTest : public testing::Test {
     std::filesystem::permissions(folder_ + "/program", std::filesystem::perms::owner_all);
     check_.driver = {folder_ + "/program"};
     check_.folder = folder_ + "/results";
-    check_.tell = [this](const std::string& line) { told_ += line + '\n'; };
+    check_.log = [this](const std::string& line) { told_ += line + '\n'; };
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
   RestartCheckResult run(const std::string& scene) {

@@ -52,7 +52,7 @@ template <std::size_t D>
 void expect_same_projections(const Mesh& bodies, const std::string& first, const std::string& second, double cutoff) {
   Points<D> together(bodies, first, second, cutoff);
   together.points->begin_step();
-  int projections = 0, leads = 0;
+  int projections = 0, clearances = 0;
   for (const double start : {0.0, 0.01, 0.011, 0.2, 0.19}) {  // as Newton's iteration may come back
     std::vector<double> times;
     times.reserve(5);
@@ -66,7 +66,7 @@ void expect_same_projections(const Mesh& bodies, const std::string& first, const
         ASSERT_TRUE(same != nullptr || contact.projection.patch < 0);
         if (same == nullptr) continue;
         ASSERT_EQ(same->projection.patch < 0, contact.projection.patch < 0);
-        leads += same->projection.lead > 0 ? 1 : 0;
+        clearances += same->projection.clearance > 0 ? 1 : 0;
         if (contact.projection.patch < 0) continue;
         ++projections;
         EXPECT_NEAR(same->projection.gap, contact.projection.gap, 1e-13);
@@ -76,7 +76,7 @@ void expect_same_projections(const Mesh& bodies, const std::string& first, const
     }
   }
   EXPECT_GT(projections, 400);
-  EXPECT_GT(leads, projections / 10);
+  EXPECT_GT(clearances, projections / 10);
 }
 
 TEST(PairContactsSerialTest, ProjectionsDoNotDependOnEarlierOnes) {

@@ -7,7 +7,7 @@
 
 #include "term/box_part.hpp"
 #include "term/side_kinds.hpp"
-#include "term/wall/point_matrices.hpp"
+#include "term/wall/curved_sides_of.hpp"
 #include "term/wall/side_ends.hpp"
 
 namespace ixos {

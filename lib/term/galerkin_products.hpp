@@ -16,33 +16,33 @@ namespace ixos {
 /// The prolongation from the coarse cells' corners to the N nodes of a batch of fine cells: by node and corner. It is
 /// zero for fine cells that do not count on this rank.
 template <std::size_t N>
-using ChildShares = Small<Pack, N>;
+using Prolongation = Small<Pack, N>;
 
-/// Returns S^T k S for a matrix with M rows and columns for each node.
+/// Returns P^T k P for a matrix with M rows and columns for each node.
 template <std::size_t N, std::size_t M>
-Small<Pack, N * M> on_parents(const ChildShares<N>& shares, const Small<Pack, N * M>& k) {
+Small<Pack, N * M> galerkin_product(const Prolongation<N>& prolongation, const Small<Pack, N * M>& k) {
   Small<Pack, N * M> half{}, result{};
   for (std::size_t r = 0; r < N * M; ++r)
     for (std::size_t e = 0; e < N; ++e)
       for (std::size_t q = 0; q < N; ++q)
-        for (std::size_t j = 0; j < M; ++j) half[r][q * M + j] += k[r][e * M + j] * shares[e][q];
+        for (std::size_t j = 0; j < M; ++j) half[r][q * M + j] += k[r][e * M + j] * prolongation[e][q];
   for (std::size_t a = 0; a < N; ++a)
     for (std::size_t p = 0; p < N; ++p)
       for (std::size_t i = 0; i < M; ++i)
-        for (std::size_t c = 0; c < N * M; ++c) result[p * M + i][c] += shares[a][p] * half[a * M + i][c];
+        for (std::size_t c = 0; c < N * M; ++c) result[p * M + i][c] += prolongation[a][p] * half[a * M + i][c];
   return result;
 }
 
 /// Adds matrices of fine cells to values of the coarse space's Pattern. owned(batch) is 1 for fine cells that this rank
-/// adds, else 0; set_matrix(batch, shares, k) sets the batch's matrices k of the coarse cells' corners by degrees of
-/// freedom. Throws std::logic_error if the nodes of a fine cell are no part of one coarse cell.
+/// adds, else 0; set_matrix(batch, prolongation, k) sets the batch's matrices k of the coarse cells' corners by degrees
+/// of freedom. Throws std::logic_error if the nodes of a fine cell are no part of one coarse cell.
 template <std::size_t N, std::size_t D, class Owned, class SetMatrix>
-void add_child_matrices(const ElementBatches<N, D>& batches, const CoarseSpace& coarse, const Owned& owned,
-                        const SetMatrix& set_matrix, double* values) {
+void add_galerkin_products(const ElementBatches<N, D>& batches, const CoarseSpace& coarse, const Owned& owned,
+                           const SetMatrix& set_matrix, double* values) {
   constexpr auto width = ElementBatches<N, D>::width;
   std::vector<int> nodes;
   nodes.reserve(batches.cells() * N);
-  std::vector<ChildShares<N>> all(batches.size());
+  std::vector<Prolongation<N>> all(batches.size());
   for (std::size_t b = 0; b < batches.size(); ++b)
     for (std::size_t lane = 0; lane < width; ++lane) {
       const auto node = [&](std::size_t a) { return static_cast<std::size_t>(batches.first_dof(b, a, lane)) / D; };

@@ -1,5 +1,5 @@
 // Matrices of fine cells on their coarse cells' corners: those of a lumped mass add up to P^T D P.
-#include "term/child_matrices.hpp"
+#include "term/galerkin_products.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,21 +18,21 @@ namespace {
 
 static_assert(is_linear_element<Line2> && is_linear_element<Quad4> && is_linear_element<Hex8>);
 
-TEST(OnParentsTest, IsTheProductWithTheSharesOnBothSides) {
+TEST(GalerkinProductTest, HasTheProlongationOnBothSides) {
   constexpr std::size_t N = 4, M = 2;
-  ChildShares<N> shares;
+  Prolongation<N> prolongation;
   Small<Pack, N * M> k;
   for (std::size_t a = 0; a < N; ++a)
-    for (std::size_t p = 0; p < N; ++p) shares[a][p] = 1.0 + static_cast<double>(3 * a + 5 * p % 7);
+    for (std::size_t p = 0; p < N; ++p) prolongation[a][p] = 1.0 + static_cast<double>(3 * a + 5 * p % 7);
   for (std::size_t r = 0; r < N * M; ++r)
     for (std::size_t c = 0; c < N * M; ++c) k[r][c] = static_cast<double>(2 * r + c * c) - 3.0;
-  const auto found = on_parents<N, M>(shares, k);
+  const auto found = galerkin_product<N, M>(prolongation, k);
   for (std::size_t r = 0; r < N * M; ++r)
     for (std::size_t c = 0; c < N * M; ++c) {
       double sum = 0;
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t e = 0; e < N; ++e)
-          sum += shares[a][r / M][0] * k[a * M + r % M][e * M + c % M][0] * shares[e][c / M][0];
+          sum += prolongation[a][r / M][0] * k[a * M + r % M][e * M + c % M][0] * prolongation[e][c / M][0];
       EXPECT_EQ(found[r][c][0], sum);
     }
 }
@@ -64,13 +64,14 @@ void expect_lumped_mass() {
   const auto owned = [&](std::size_t b) {
     return Pack([&](auto lane) { return lane < batches.lanes(b) && block.owned[number(b, lane)] != 0 ? 1.0 : 0.0; });
   };
-  const auto set = [&](std::size_t b, const ChildShares<N>& shares, Small<Pack, N * D>& k) {
+  const auto set = [&](std::size_t b, const Prolongation<N>& prolongation, Small<Pack, N * D>& k) {
     Small<Pack, N * D> own{};
     for (std::size_t r = 0; r < N * D; ++r)
       own[r][r] = Pack([&](auto lane) { return lane < batches.lanes(b) ? weight(number(b, lane)) : 0.0; });
-    k = on_parents<N, D>(shares, own);
+    k = galerkin_product<N, D>(prolongation, own);
   };
-  const auto found = coarse.matrix([&](double* values) { add_child_matrices(batches, coarse, owned, set, values); }, 1);
+  const auto found =
+      coarse.matrix([&](double* values) { add_galerkin_products(batches, coarse, owned, set, values); }, 1);
   Vector x(found->getDomainMap()), y(found->getRangeMap());
   x.randomize();
   expected->apply(x, y);
@@ -80,7 +81,7 @@ void expect_lumped_mass() {
   EXPECT_LT(y.normInf(), 1e-13 * scale);
 }
 
-TEST(ChildMatricesTest, ALumpedMassIsTheGalerkinProductOfItsDiagonal) {
+TEST(GalerkinProductsTest, ALumpedMassIsTheGalerkinProductOfItsDiagonal) {
   expect_lumped_mass<4, 2>();
   expect_lumped_mass<8, 3>();
 }

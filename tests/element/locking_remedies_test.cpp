@@ -1,4 +1,4 @@
-// What the cures of locking cure, and what not: volumetric constraints, bending, hourglasses.
+// What the remedies for locking mend, and what not: volumetric constraints, bending, hourglasses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ TEST(LockingTest, EnhancedQuadrilateralsBendAsPlateStrips) {
     const double parasitic = (1 - nu) * (1 - nu) / (1 - 2 * nu) + (1 - nu) / 2 * slender;
     EXPECT_NEAR((bending_energy<Plain<Quad4, LinearElastic>>({length, height}, nu)), exact * parasitic,
                 1e-10 * exact * parasitic);
-    // The mean dilatation cures the second, not the first.
+    // The mean dilatation mends the second, not the first.
     const double mean = (1 - nu) / 2 * (1 + slender);
     EXPECT_NEAR((bending_energy<Mean<Quad4, LinearElastic>>({length, height}, nu)), exact * mean, 1e-10 * exact * mean);
   }
