@@ -5,10 +5,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "model/traits.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
 #include "solve/choice/problem_size.hpp"
-#include "term/support/springs.hpp"
 
 namespace ixos {
 
@@ -18,7 +16,7 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
       elastic_(TermSums(model).actions(Part::Elastic)),
       interactions_(TermSums(model).actions(Part::Interaction)),
       mass_in_elastic_(model.mass() != nullptr && !model.mass()->is_lumped()) {
-  bool possible = !has_viscosity(model);
+  bool possible = TermSums(model).has_diagonal_rates();
   for (const auto* actions : {&elastic_, &interactions_})
     possible = possible && std::all_of(actions->begin(), actions->end(), [](const auto& action) { return !!action; });
   if (!possible)
@@ -41,7 +39,11 @@ void TangentOperator::linearize(const BalancePoint& at, const TangentWeights& we
   for (const auto& action : interactions_) action->linearize(at.interaction, *at.interaction_rule, kind, {});
   mass_ = weights.mass;
   damping_ = weights.damping;
-  linearize_dashpots();
+  rates_.clear();
+  if (!model_.rate_terms().empty()) {
+    rates_.resize(static_cast<std::size_t>(model_.space().local()));
+    TermSums(model_).add_rate_diagonal(damping_, rates_.data());
+  }
   shift_ = weights.shift;
   constrained_diagonal_ = constrained;
   assembled_ = false;
@@ -59,8 +61,8 @@ void TangentOperator::multiply(const double* x) const {
   if (!mass_in_elastic_) add_mass(x);
   if (shift_ != 0)
     for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_ * x[i];
-  if (!dashpots_.empty())
-    for (std::size_t i = 0; i < owned; ++i) result_[i] += dashpots_[i] * x[i];
+  if (!rates_.empty())
+    for (std::size_t i = 0; i < owned; ++i) result_[i] += rates_[i] * x[i];
 }
 
 /// Adds the mass and the damping's part of it, times x, to result_.
@@ -71,16 +73,6 @@ void TangentOperator::add_mass(const double* x) const {
     for (std::size_t i = 0; i < owned; ++i) result_[i] += mass_ * part_[i];
   }
   if (model_.damping() != nullptr) model_.damping()->multiply_add_mass(damping_, x, result_.data());
-}
-
-/// Sets dashpots_ to the tangent of the dashpots, which is a diagonal matrix.
-void TangentOperator::linearize_dashpots() {
-  dashpots_.clear();
-  for (const Grip& grip : model_.grips()) {
-    if (grip.dashpots == nullptr) continue;
-    dashpots_.resize(static_cast<std::size_t>(model_.space().local()));
-    grip.dashpots->add_diagonal(damping_, dashpots_.data());
-  }
 }
 
 void TangentOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const {
@@ -119,8 +111,8 @@ void TangentOperator::diagonal(Vector& result) const {
   for (const auto& action : interactions_) action->add_diagonal(result_.data());
   if (model_.mass() != nullptr) model_.mass()->add_diagonal(mass_, result_.data());
   if (model_.damping() != nullptr) model_.damping()->add_mass_diagonal(damping_, result_.data());
-  if (!dashpots_.empty())
-    for (std::size_t i = 0; i < owned; ++i) result_[i] += dashpots_[i];
+  if (!rates_.empty())
+    for (std::size_t i = 0; i < owned; ++i) result_[i] += rates_[i];
   for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_;
   for (int dof : model_.constraints().dofs()) result_[static_cast<std::size_t>(dof)] = constrained_diagonal_;
   const auto target = result.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -154,7 +146,7 @@ Teuchos::RCP<CrsMatrix> TangentOperator::coarse_matrix() const {
     std::fill(x_.begin(), x_.end(), 1.0);
     add_mass(x_.data());  // its row sums
   }
-  for (std::size_t i = 0; i < dashpots_.size(); ++i) result_[i] += dashpots_[i];
+  for (std::size_t i = 0; i < rates_.size(); ++i) result_[i] += rates_[i];
   for (double& entry : result_) entry += shift_;
   model_.space().update_ghosts(result_.data());
   const auto add = [&](double* values) {

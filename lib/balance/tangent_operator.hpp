@@ -45,14 +45,13 @@ class TangentOperator : public AssemblableOperator, public CoarsenableOperator {
   /// Sets result_ = W x with free and constrained degrees of freedom coupled, x local.
   void multiply(const double* x) const;
   void add_mass(const double* x) const;
-  void linearize_dashpots();
 
   const Model& model_;
   std::function<void(double*)> assemble_;
   std::vector<std::unique_ptr<TangentAction>> elastic_, interactions_;
   bool mass_in_elastic_;  ///< the elastic actions apply it
   double mass_ = 0, damping_ = 0, shift_ = 0, constrained_diagonal_ = 1;
-  std::vector<double> dashpots_;                   ///< diagonal of their tangent, local; empty without dashpots
+  std::vector<double> rates_;                      ///< diagonal of the tangent of rate terms, local; empty without them
   mutable std::vector<double> x_, result_, part_;  ///< scratch, local
   mutable Teuchos::RCP<CrsMatrix> matrix_;
   mutable bool assembled_ = false;

@@ -1,5 +1,6 @@
 #include "fem/cell_info.hpp"
 
+#include <stdexcept>
 #include <type_traits>
 
 #include "fem/with_element.hpp"
@@ -58,7 +59,10 @@ bool is_plain_cube(const CellInfo& info, int dimension) {
 }  // namespace
 
 CellType cube_type(int dimension, int order) {
-  return find_cell([&](const CellInfo& info) { return is_plain_cube(info, dimension) && info.order == order; })->type;
+  const CellInfo* const cube =
+      find_cell([&](const CellInfo& info) { return is_plain_cube(info, dimension) && info.order == order; });
+  if (cube == nullptr) throw std::logic_error("there are no quadrilaterals and hexahedra of such an order");
+  return cube->type;
 }
 
 const CellInfo* cube_with(int dimension, int nodes) {

@@ -18,6 +18,8 @@ enum class ReferenceShape {
 /// Returns whether a point is in the reference shape, or beyond it by no more than `slack`. False for NaN.
 template <ReferenceShape shape, std::size_t D>
 bool is_inside(const std::array<double, D>& xi, double slack) {
+  static_assert(shape == ReferenceShape::Triangle || shape == ReferenceShape::Quadrilateral ||
+                shape == ReferenceShape::Hexahedron);
   if constexpr (shape == ReferenceShape::Triangle)
     return xi[0] >= -slack && xi[1] >= -slack && xi[0] + xi[1] <= 1 + slack;
   for (double coordinate : xi)

@@ -54,8 +54,8 @@ class GraphObstacle final : public Obstacle {
     return smooth ? std::numeric_limits<double>::infinity() : 1 / surface_.deepest();
   }
 
-  [[gnu::flatten]] Sight at(const PackPoint& x) const override { return sight_of<true>(x); }
-  [[gnu::flatten]] Sight gap_and_normal(const PackPoint& x) const override { return sight_of<false>(x); }
+  [[gnu::flatten]] ObstacleGap at(const PackPoint& x) const override { return obstacle_gap<true>(x); }
+  [[gnu::flatten]] ObstacleGap gap_and_normal(const PackPoint& x) const override { return obstacle_gap<false>(x); }
 
   [[gnu::flatten]] Pack gap(const PackPoint& x) const override {
     const PackPoint local = frame_.to_local(x);
@@ -129,21 +129,21 @@ class GraphObstacle final : public Obstacle {
   }
 
   template <bool bends>
-  Sight sight_of(const PackPoint& x) const {
+  ObstacleGap obstacle_gap(const PackPoint& x) const {
     const PackPoint local = frame_.to_local(x);
-    Sight sight = measure_ == GapMeasure::Vertical ? vertical(local) : from<bends>(nearest(local));
-    sight.gap = within_edge(local, sight.gap);
-    return sight;
+    ObstacleGap found = measure_ == GapMeasure::Vertical ? vertical(local) : from<bends>(nearest(local));
+    found.gap = within_edge(local, found.gap);
+    return found;
   }
 
-  Sight vertical(const PackPoint& local) const {
+  ObstacleGap vertical(const PackPoint& local) const {
     const Height<M> height = surface_.at(along(local));
     Small<Pack, M> bend;
     for (std::size_t i = 0; i < M; ++i)
       for (std::size_t j = 0; j < M; ++j) bend[i][j] = -height.bend[i][j];
-    Sight sight;
-    sight.gap = local[2] - height.value;
-    sight.normal = frame_.to_space(upward(height.slope));
+    ObstacleGap found;
+    found.gap = local[2] - height.value;
+    found.normal = frame_.to_space(upward(height.slope));
     set_bend(
         bend,
         [](std::size_t k) {
@@ -151,8 +151,8 @@ class GraphObstacle final : public Obstacle {
           e[k] = 1.0;
           return e;
         },
-        sight);
-    return sight;
+        found);
+    return found;
   }
 
   /// The nearest point of the graph.
@@ -178,15 +178,15 @@ class GraphObstacle final : public Obstacle {
 
   /// S is adj(G) B adj(J)/(w^2 det J), because det G = w^2.
   template <bool bends>
-  Sight from(const Nearest& nearest) const {
+  ObstacleGap from(const Nearest& nearest) const {
     const std::array<Pack, M>& p = nearest.projection.height.slope;
     const Pack& w = nearest.inverse_w;
     PackPoint normal = upward(p);
     for (Pack& component : normal) component *= w;
-    Sight sight;
-    sight.gap = nearest.gap;
-    sight.normal = frame_.to_space(normal);
-    if (!bends) return sight;
+    ObstacleGap found;
+    found.gap = nearest.gap;
+    found.normal = frame_.to_space(normal);
+    if (!bends) return found;
 
     const GraphMetric<M> metric(nearest.projection.height, nearest.lift);
     const Small<Pack, M> jacobian = metric.positive_jacobian();
@@ -202,8 +202,8 @@ class GraphObstacle final : public Obstacle {
           e[2] = p[k];
           return e;
         },
-        sight);
-    return sight;
+        found);
+    return found;
   }
 
   static PackPoint upward(const std::array<Pack, M>& slope) {
@@ -215,7 +215,7 @@ class GraphObstacle final : public Obstacle {
 
   /// Sets the second derivatives sum_kl s_kl t_k t_l^T with the tangents t_k of given coordinates; s is symmetric.
   template <class Tangent>
-  void set_bend(const Small<Pack, M>& s, const Tangent& tangent, Sight& sight) const {
+  void set_bend(const Small<Pack, M>& s, const Tangent& tangent, ObstacleGap& found) const {
     std::array<PackPoint, M> t, st{};  // st_k = sum_l s_kl t_l
     for (std::size_t k = 0; k < M; ++k) t[k] = frame_.to_space(tangent(k));
     for (std::size_t k = 0; k < M; ++k)
@@ -223,8 +223,8 @@ class GraphObstacle final : public Obstacle {
         for (std::size_t i = 0; i < 3; ++i) st[k][i] += s[k][l] * t[l][i];
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i; j < 3; ++j) {
-        for (std::size_t k = 0; k < M; ++k) sight.bend[i][j] += t[k][i] * st[k][j];
-        sight.bend[j][i] = sight.bend[i][j];
+        for (std::size_t k = 0; k < M; ++k) found.bend[i][j] += t[k][i] * st[k][j];
+        found.bend[j][i] = found.bend[i][j];
       }
   }
 

@@ -16,7 +16,7 @@ PackPoint difference(const PackPoint& x, const PackPoint& y) { return {x[0] - y[
 /// Adds c d to the normal n in the chosen lanes, with c such that n . d = `change`, and the derivative of c d in the
 /// second point to the slope. `end` is the normal at the second point, the derivative of `change`.
 void correct_along(const PackPoint& d, const Pack& change, const PackPoint& end, const Pack::mask_type& chosen,
-                   MeanSight& mean) {
+                   MeanGap& mean) {
   const Pack square = select(chosen, dot(d, d), Pack(1.0));
   const Pack c = select(chosen, Pack((change - dot(mean.normal, d)) / square), Pack(0.0));
   PackPoint slope_of_c;
@@ -36,11 +36,11 @@ void correct_along(const PackPoint& d, const Pack& change, const PackPoint& end,
 
 std::optional<AreaFactor> Obstacle::area_factor(int /*body_dimension*/) const { return std::nullopt; }
 
-MeanSight Obstacle::mean(const PackPoint& x0, const PackPoint& x1) const {
+MeanGap Obstacle::mean(const PackPoint& x0, const PackPoint& x1) const {
   static const Quadrature gauss = gauss_legendre_unit(3);
   const PackPoint d = difference(x1, x0);
-  const Sight start = at(x0), end = at(x1);
-  MeanSight result{};
+  const ObstacleGap start = at(x0), end = at(x1);
+  MeanGap result{};
   result.start_gap = start.gap;
   result.end_gap = end.gap;
   result.end_normal = end.normal;
@@ -48,11 +48,11 @@ MeanSight Obstacle::mean(const PackPoint& x0, const PackPoint& x1) const {
   for (std::size_t i = 0; i < 3; ++i) spread[i] = (start.normal[i] + end.normal[i]) / 6.0;
   for (std::size_t q = 0; q < 3; ++q) {
     const double xi = gauss.points[q], weight = gauss.weights[q], simpson = q == 1 ? 4.0 / 6 : 0.0;
-    const Sight sight = at(along(x0, xi, d));
+    const ObstacleGap found = at(along(x0, xi, d));
     for (std::size_t i = 0; i < 3; ++i) {
-      result.normal[i] += weight * sight.normal[i];
-      spread[i] += (simpson - weight) * sight.normal[i];
-      for (std::size_t j = 0; j < 3; ++j) result.slope[i][j] += (weight * xi) * sight.bend[i][j];
+      result.normal[i] += weight * found.normal[i];
+      spread[i] += (simpson - weight) * found.normal[i];
+      for (std::size_t j = 0; j < 3; ++j) result.slope[i][j] += (weight * xi) * found.bend[i][j];
     }
   }
   // Simpson's rule has an error of order 4 in the length of the path, the Gauss points of order 6. If the rules differ
@@ -69,9 +69,9 @@ Pack Obstacle::size_at(const PackPoint& x) const { return length_of(x); }
 
 Pack Obstacle::least_gap(const PackPoint& x0, const PackPoint& x1) const {
   const PackPoint d = difference(x1, x0);
-  const Sight start = gap_and_normal(x0), middle = gap_and_normal(along(x0, 0.5, d)), end = gap_and_normal(x1);
+  const ObstacleGap start = gap_and_normal(x0), middle = gap_and_normal(along(x0, 0.5, d)), end = gap_and_normal(x1);
   const Pack half_length = 0.5 * length_of(d);
-  const auto least_between = [&](const Sight& a, const Sight& b) {
+  const auto least_between = [&](const ObstacleGap& a, const ObstacleGap& b) {
     const Pack fall = -0.5 * dot(a.normal, d), rise = 0.5 * dot(b.normal, d), ends = smaller(a.gap, b.gap);
     const auto dips = fall > 0.0 && rise > 0.0;
     const Pack where_tangents_meet = (a.gap * rise + b.gap * fall - fall * rise) / select(dips, fall + rise, Pack(1.0));

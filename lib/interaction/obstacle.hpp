@@ -23,16 +23,16 @@ inline Pack length_of(const PackPoint& x) { return std::experimental::sqrt(dot(x
 /// Returns a divisor for a length: the length, or a tiny number in place of zero.
 inline Pack positive(const Pack& length) { return std::experimental::max(length, Pack(1e-290)); }
 
-/// The obstacle as a point sees it.
-struct Sight {
+/// The gap of a point before an obstacle, to second order.
+struct ObstacleGap {
   Pack gap;               ///< signed distance to the obstacle's surface [L0], positive outside
   PackPoint normal;       ///< gradient of the gap, a unit vector except of a vertical gap
   Small<Pack, 3> bend{};  ///< second derivatives of the gap [1/L0], symmetric; bend normal = 0
 };
 
-/// The obstacle as two points of a step see it: the direction of the mean force and its derivative in the second point,
+/// The gap over a way between two points: the direction of the mean force and its derivative in the second point,
 /// the gaps at both points, and the normal at the second one.
-struct MeanSight {
+struct MeanGap {
   PackPoint normal;
   Small<Pack, 3> slope{};
   Pack start_gap, end_gap;
@@ -49,10 +49,10 @@ class Obstacle {
 
   /// Returns distance, normal and curvature at the point x. The gap is minus infinity where no surface may be: such a
   /// state is inadmissible.
-  virtual Sight at(const PackPoint& x) const = 0;
+  virtual ObstacleGap at(const PackPoint& x) const = 0;
 
   /// Returns the same. The second derivatives may be missing.
-  virtual Sight gap_and_normal(const PackPoint& x) const { return at(x); }
+  virtual ObstacleGap gap_and_normal(const PackPoint& x) const { return at(x); }
 
   /// Returns the gap alone.
   virtual Pack gap(const PackPoint& x) const { return at(x).gap; }
@@ -80,7 +80,7 @@ class Obstacle {
   /// of the gaps does the work that the interaction's energy loses. By default n is the mean normal on the straight
   /// path by 3 Gauss points. If the normals vary so much that this mean is not exact to rounding, n is corrected along
   /// the path.
-  virtual MeanSight mean(const PackPoint& x0, const PackPoint& x1) const;
+  virtual MeanGap mean(const PackPoint& x0, const PackPoint& x1) const;
 
   /// Returns the least gap on the straight path from x0 to x1, or less. By default the gap falls and rises along the
   /// tangents at both ends and in the middle. That is a lower bound before convex obstacles, where the gap is a convex

@@ -43,18 +43,18 @@ class RoundObstacle final : public Obstacle {
     return AreaFactor{sign_ * shape_.radius, !Axial && body_dimension == 3 ? 2 : 1};
   }
 
-  [[gnu::flatten]] Sight at(const PackPoint& x) const override {
+  [[gnu::flatten]] ObstacleGap at(const PackPoint& x) const override {
     const PackPoint y = from_center(x);
     const Pack length = length_of(y), inverse = 1.0 / positive(length), curvature = sign_ * inverse;
-    Sight sight;
-    sight.gap = sign_ * (length - shape_.radius);
+    ObstacleGap found;
+    found.gap = sign_ * (length - shape_.radius);
     PackPoint m;
     for (std::size_t i = 0; i < 3; ++i) m[i] = y[i] * inverse;
-    for (std::size_t i = 0; i < 3; ++i) sight.normal[i] = sign_ * m[i];
+    for (std::size_t i = 0; i < 3; ++i) found.normal[i] = sign_ * m[i];
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = i; j < 3; ++j)
-        sight.bend[i][j] = sight.bend[j][i] = curvature * (projector_[i][j] - m[i] * m[j]);
-    return sight;
+        found.bend[i][j] = found.bend[j][i] = curvature * (projector_[i][j] - m[i] * m[j]);
+    return found;
   }
 
   Pack gap(const PackPoint& x) const override { return sign_ * (length_of(from_center(x)) - shape_.radius); }
@@ -64,11 +64,11 @@ class RoundObstacle final : public Obstacle {
 
   /// Exact: n = (y0 + y1)/(|y0| + |y1|), minus this in a cavity. The force is parallel to the mean position, so it has
   /// no moment about the centre or the axis.
-  MeanSight mean(const PackPoint& x0, const PackPoint& x1) const override {
+  MeanGap mean(const PackPoint& x0, const PackPoint& x1) const override {
     const PackPoint y0 = from_center(x0), y1 = from_center(x1);
     const Pack first = length_of(y0), last = length_of(y1);
     const Pack end = 1.0 / positive(last), sum = 1.0 / positive(first + last);
-    MeanSight result;
+    MeanGap result;
     result.start_gap = sign_ * (first - shape_.radius);
     result.end_gap = sign_ * (last - shape_.radius);
     PackPoint m;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "base/small_matrix.hpp"
@@ -55,9 +56,15 @@ Mirror mirror_of_cube(int dimension) {
 /// Returns the mirror image of a cell. A triangle keeps corner 0.
 const Mirror& mirror_of(CellType type) {
   static const Mirror plane = mirror_of_cube(2), solid = mirror_of_cube(3), triangle{{0, 2, 1}, {2, 1, 0}};
-  const CellInfo& info = cell_info(type);
-  if (info.shape == ReferenceShape::Triangle) return triangle;
-  return info.dimension == 2 ? plane : solid;
+  switch (cell_info(type).shape) {
+    case ReferenceShape::Triangle:
+      return triangle;
+    case ReferenceShape::Quadrilateral:
+      return plane;
+    case ReferenceShape::Hexahedron:
+      return solid;
+  }
+  throw std::logic_error("cells of this shape have no mirror image");
 }
 
 /// Returns whether a cell is a mirror image: the linear cell of its corners has a negative Jacobian at the origin of

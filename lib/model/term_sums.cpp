@@ -98,6 +98,17 @@ void TermSums::add_rate_tangent_at(double by_velocity, double by_displacement, c
   for (const RateTerm* term : model_.rate_terms()) term->add_tangent_at(by_velocity, by_displacement, u, v, values);
 }
 
+bool TermSums::has_diagonal_rates() const {
+  const auto& terms = model_.rate_terms();
+  return std::all_of(terms.begin(), terms.end(),
+                     [&](const RateTerm* term) { return term->is_diagonal() || term == model_.damping(); });
+}
+
+void TermSums::add_rate_diagonal(double factor, double* d) const {
+  for (const RateTerm* term : model_.rate_terms())
+    if (term->is_diagonal()) term->add_diagonal(factor, d);
+}
+
 void TermSums::add_rate_row_sums(const double* u, double* sums) const {
   for (const RateTerm* term : model_.rate_terms()) term->add_row_sums(u, sums);
 }

@@ -35,7 +35,7 @@ class TangentAction {
   /// Accepts only rules for which the term is a gradient. An elastic action keeps single precision, see PointProduct.
   virtual void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart& linear) = 0;
   /// Returns whether it applies a mass. If not, the linear part's `inertia` has to be 0.
-  virtual bool applies_mass() const { return false; }
+  virtual bool applies_mass() const = 0;
   /// Adds K x to y.
   virtual void add_product(const double* x, double* y) const = 0;
   /// May do the same in single precision. Errors are then near 1e-7 of the forces that the differences of x in a cell
@@ -44,7 +44,7 @@ class TangentAction {
   /// Adds the diagonal of K to d, without that of a mass.
   virtual void add_diagonal(double* d) const = 0;
   /// Returns whether the action offers add_coarse(). Same on all ranks, whatever cells and sides they have.
-  virtual bool has_coarse() const { return false; }
+  virtual bool has_coarse() const = 0;
   /// Adds P^T K P, that of a mass included, to matrix values of the coarse space's Pattern: the Galerkin product on the
   /// coarse cells. Throws std::logic_error unless has_coarse().
   virtual void add_coarse(const CoarseSpace& /*coarse*/, double* /*values*/) const {
@@ -92,9 +92,9 @@ class ForceTerm : public Term {
   virtual bool add_row_sums(const Segment& segment, double* sums) const = 0;
 
   /// Returns whether add_time_derivative() has the derivative of the rule's force. Equal on all ranks.
-  virtual bool has_time_derivative(const Rule& /*rule*/) const { return true; }
+  virtual bool has_time_derivative(const Rule& rule) const = 0;
   /// Adds the derivative of add_force() by segment.start, all displacements kept: what a moved obstacle adds
-  /// [E0 L0^(D-1)/T0].
+  /// [E0 L0^(D-1)/T0]. By default the force depends on displacements alone.
   virtual void add_time_derivative(const Segment& /*segment*/, const Rule& /*rule*/, double* /*f*/) const {}
   /// Returns the names of the numbers by which add_parameter_derivative() differentiates the force. Equal on all ranks.
   virtual std::vector<std::string> parameters() const { return {}; }

@@ -18,6 +18,7 @@ class FrictionInteraction : public Interaction, public Admissibility, public Sur
     return rule.is_path_mean() ? mean : rule;
   }
   bool follows(Mean) const final { return true; }
+  bool has_time_derivative(const Rule&) const final { return true; }
 
   const Admissibility& admissibility() const final { return *this; }
   const SurfaceReport& reports() const final { return *this; }

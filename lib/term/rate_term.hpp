@@ -1,5 +1,7 @@
 /// The contract of a term whose force depends on rates.
 #pragma once
+#include <stdexcept>
+
 #include "term/term.hpp"
 
 namespace ixos {
@@ -27,6 +29,14 @@ class RateTerm : public Term {
                               double* values) const = 0;
   /// Adds to sums_r the sum over columns of |df_r/dv_c|, or a bound of it.
   virtual void add_row_sums(const double* u, double* sums) const = 0;
+
+  /// Returns whether df/dv is a constant diagonal matrix and df/du zero. A tangent without a matrix takes only such
+  /// terms, and the model's damping, which its actions apply.
+  virtual bool is_diagonal() const = 0;
+  /// Adds factor df/dv to the diagonal d, a local array. Throws std::logic_error unless is_diagonal().
+  virtual void add_diagonal(double /*factor*/, double* /*d*/) const {
+    throw std::logic_error("the tangent of a term of rates is not diagonal");
+  }
 };
 
 }  // namespace ixos

@@ -64,7 +64,8 @@ struct StepWork {
 /// arguments. A run begins with initialize(). begin_step() is told the accepted state,
 /// begin_stage() what a stage's equation refers to; evaluations follow; accept() alone changes histories. A step that
 /// is rejected ends with the next begin_step(). Hence it leaves no trace, and steps from several states can alternate.
-/// Arrays are local. None of the functions communicates, unless it says so.
+/// Only which nodes two bodies couple in the matrix follows from the last search, whichever state it was for, see
+/// Coupling. Arrays are local. None of the functions communicates, unless it says so.
 class Term {
  public:
   virtual ~Term() = default;

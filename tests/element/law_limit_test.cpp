@@ -76,7 +76,7 @@ TEST(LawLimitModesTest, AreThoseOfTheStateWithItsModes) {
   const auto geometry = Kernel::geometry(table, x);
   const auto plain = Plain::geometry(table, x);
   const Rule middle = point_rule({0.5}, {1});
-  int cured = 0, beyond = 0;
+  int mended = 0, beyond = 0;
   for (double bend = 0.02; bend < 0.6; bend += 0.01) {
     for (std::size_t a = 0; a < Kernel::N; ++a) end[a][0] = bend * x[a][0] * x[a][1];
     const auto is_admissible = [&](const Rule& rule) {
@@ -87,10 +87,10 @@ TEST(LawLimitModesTest, AreThoseOfTheStateWithItsModes) {
     EXPECT_EQ(is_admissible(middle), at_end) << bend;
     Plain::Nodal<Pack> force{};
     const bool without = least(Plain::add_force(material, plain, {&start, nullptr, &end}, end_rule(), force)) > 0;
-    cured += at_end && !without ? 1 : 0;
+    mended += at_end && !without ? 1 : 0;
     beyond += at_end ? 0 : 1;
   }
-  EXPECT_GT(cured, 0);
+  EXPECT_GT(mended, 0);
   EXPECT_GT(beyond, 0);
 }
 

@@ -92,9 +92,9 @@ TYPED_TEST(LockingKernelsTest, HomogeneousStatesOfADistortedElementAreThoseOfThe
     for (std::size_t d = 0; d < TypeParam::D; ++d) EXPECT_NEAR(force[a][d], expected[a][d], 1e-14);
   const auto geometry = TypeParam::Standard::geometry(TypeParam::table(), body.x);
   EXPECT_NEAR(body.energy(u), TypeParam::Standard::energy(body.law, geometry, u), 1e-14);
-  const auto cured = TypeParam::Kernel::geometry(TypeParam::table(), body.x);
+  const auto own_geometry = TypeParam::Kernel::geometry(TypeParam::table(), body.x);
   const auto expect_mean = [&](const auto& value) {
-    const auto mean = test::mean_of<typename TypeParam::Kernel>(body.law, cured, u, value);
+    const auto mean = test::mean_of<typename TypeParam::Kernel>(body.law, own_geometry, u, value);
     const auto standard = test::mean_of<typename TypeParam::Standard>(body.law, geometry, u, value), exact = value(h);
     for (std::size_t i = 0; i < mean.size(); ++i) {
       EXPECT_NEAR(mean[i], exact[i], 1e-14) << i;

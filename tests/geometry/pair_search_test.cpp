@@ -115,7 +115,7 @@ TEST(PairSearchSerialTest, WithoutARangeProjectionsAreAmongFewPatchesWhereverThe
 }
 
 /// The disks nearly touch, and nodes move at random as far as the lists hold.
-TEST(PairSearchSerialTest, ListsWithoutARangeHaveAllThatAreFartherByTheLead) {
+TEST(PairSearchSerialTest, ListsWithoutARangeHaveAllThatAreFartherByTheClearance) {
   const Disks disks;
   const double clearance = 0.2;
   std::mt19937 random(3);

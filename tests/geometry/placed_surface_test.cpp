@@ -187,7 +187,7 @@ TEST(PlacedSurfaceTest, FewPatchesGiveTheProjectionsOfAll) {
 
 /// All other patches are farther than the closest point by its clearance, and without a closest point all are out of
 /// range by it.
-TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
+TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheClearance) {
   const test::SpherePatches sphere(1, 6, Smoothing::CatmullRom);
   const PlacedSurface<3> all(sphere.patches(), sphere.x);
   std::mt19937 random(3);

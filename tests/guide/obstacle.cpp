@@ -9,12 +9,12 @@ class Slit final : public Obstacle {
  public:
   explicit Slit(double height) : height_(height) {}
 
-  Sight at(const PackPoint& x) const override {
+  ObstacleGap at(const PackPoint& x) const override {
     const auto lower = x[1] < height_ / 2;
-    Sight sight;
-    sight.gap = select(lower, x[1], Pack(height_ - x[1]));                        // signed distance
-    sight.normal = {Pack(0.0), select(lower, Pack(1.0), Pack(-1.0)), Pack(0.0)};  // its gradient
-    return sight;  // bend, its second derivatives, is zero
+    ObstacleGap found;
+    found.gap = select(lower, x[1], Pack(height_ - x[1]));                        // signed distance
+    found.normal = {Pack(0.0), select(lower, Pack(1.0), Pack(-1.0)), Pack(0.0)};  // its gradient
+    return found;  // bend, its second derivatives, is zero
   }
 
  private:

@@ -222,15 +222,15 @@ TEST(ObstacleCatalogueTest, EveryEntryIsWhole) {
 
 TEST_P(ObstacleTest, NormalAndBendAreDerivativesOfTheGap) {
   const PackPoint x = point(1.3, 2.4, 1.9);
-  const Sight sight = obstacle_->at(x);
+  const ObstacleGap found = obstacle_->at(x);
   double square = 0;
   for (std::size_t i = 0; i < dimension_; ++i) {
-    square += sight.normal[i][0] * sight.normal[i][0];
+    square += found.normal[i][0] * found.normal[i][0];
     EXPECT_NEAR(derivative([&](double s) { return double(obstacle_->at(moved(x, i, s)).gap[0]); }, 1e-3),
-                sight.normal[i][0], 1e-11);
+                found.normal[i][0], 1e-11);
     for (std::size_t j = 0; j < dimension_; ++j)
       EXPECT_NEAR(derivative([&](double s) { return double(obstacle_->at(moved(x, j, s)).normal[i][0]); }, 1e-3),
-                  sight.bend[i][j][0], bend_tolerance());
+                  found.bend[i][j][0], bend_tolerance());
   }
   EXPECT_NEAR(square, 1, 1e-15);
 }
@@ -239,11 +239,11 @@ TEST_P(ObstacleTest, NormalAndBendAreDerivativesOfTheGap) {
 TEST_P(ObstacleTest, GapAndNormalAloneAreTheSame) {
   for (const PackPoint& x :
        {point(1.3, 2.4, 1.9), point(0.7, 0.4, 0.3), point(0.5, 1.5, 0.05), point(0.4, -0.3, -0.3)}) {
-    const Sight sight = obstacle_->at(x), without_bend = obstacle_->gap_and_normal(x);
-    const double gap = sight.gap[0], lower = obstacle_->gap_or_less(x)[0];
+    const ObstacleGap found = obstacle_->at(x), without_bend = obstacle_->gap_and_normal(x);
+    const double gap = found.gap[0], lower = obstacle_->gap_or_less(x)[0];
     EXPECT_NEAR(obstacle_->gap(x)[0], gap, 1e-15);
     EXPECT_NEAR(without_bend.gap[0], gap, 1e-15);
-    for (std::size_t i = 0; i < dimension_; ++i) EXPECT_NEAR(without_bend.normal[i][0], sight.normal[i][0], 1e-15);
+    for (std::size_t i = 0; i < dimension_; ++i) EXPECT_NEAR(without_bend.normal[i][0], found.normal[i][0], 1e-15);
     EXPECT_LE(lower, gap + 1e-15);
     EXPECT_EQ(lower > 0, gap > 0);
   }
@@ -252,7 +252,7 @@ TEST_P(ObstacleTest, GapAndNormalAloneAreTheSame) {
 TEST_P(ObstacleTest, TheMeanNormalMeasuresTheChangeOfTheGap) {
   const PackPoint x0 = point(1.3, 2.4, 1.9);
   for (const PackPoint& x1 : {point(1.3, 2.4001, 1.9), point(1.5, 2.3, 1.8), point(-1.0, 3.5, 1.2)}) {
-    const MeanSight mean = obstacle_->mean(x0, x1);
+    const MeanGap mean = obstacle_->mean(x0, x1);
     double change = 0;
     for (std::size_t i = 0; i < dimension_; ++i) change += mean.normal[i][0] * (x1[i][0] - x0[i][0]);
     EXPECT_NEAR(change, obstacle_->at(x1).gap[0] - obstacle_->at(x0).gap[0], 1e-14);
@@ -315,25 +315,25 @@ TEST_P(ObstacleTest, TangentsBeforeEveryLawAreDerivativesOfTheForce) {
       for (std::size_t i = 0; i < 3; ++i) x[i] += step * down[i];
       if (obstacle_->at(x).gap[0] < 0.15) continue;  // the normal there is another one
       const PackPoint x0 = point(double(x[0][0]) + 0.02, double(x[1][0]) + 0.1, double(x[2][0]) + 0.1);
-      const Sight sight = obstacle_->at(x);
-      const double scale = law->magnitude(sight.gap)[0] / double(sight.gap[0]);
+      const ObstacleGap found = obstacle_->at(x);
+      const double scale = law->magnitude(found.gap)[0] / double(found.gap[0]);
       const auto force = [&](const PackPoint& at, std::size_t i) {
-        const Sight there = obstacle_->at(at);
+        const ObstacleGap there = obstacle_->at(at);
         return double(Pack(-law->traction(there.gap) * there.normal[i])[0]);
       };
       const Pack gap0 = obstacle_->at(x0).gap;
       const auto mean_force = [&](const PackPoint& at, std::size_t i) {
         return double(Pack(-law->mean_traction(gap0, obstacle_->at(at).gap) * obstacle_->mean(x0, at).normal[i])[0]);
       };
-      const MeanSight mean = obstacle_->mean(x0, x);
+      const MeanGap mean = obstacle_->mean(x0, x);
       for (std::size_t i = 0; i < dimension_; ++i)
         for (std::size_t j = 0; j < dimension_; ++j) {
-          const Pack tangent = law->stiffness(sight.gap) * sight.normal[i] * sight.normal[j] -
-                               law->traction(sight.gap) * sight.bend[i][j];
+          const Pack tangent = law->stiffness(found.gap) * found.normal[i] * found.normal[j] -
+                               law->traction(found.gap) * found.bend[i][j];
           EXPECT_NEAR(derivative([&](double s) { return force(moved(x, j, s), i); }, 1e-4), double(tangent[0]),
                       1e-6 * scale);
-          const Pack mean_tangent = law->mean_stiffness(gap0, sight.gap) * mean.normal[i] * sight.normal[j] -
-                                    law->mean_traction(gap0, sight.gap) * mean.slope[i][j];
+          const Pack mean_tangent = law->mean_stiffness(gap0, found.gap) * mean.normal[i] * found.normal[j] -
+                                    law->mean_traction(gap0, found.gap) * mean.slope[i][j];
           EXPECT_NEAR(derivative([&](double s) { return mean_force(moved(x, j, s), i); }, 1e-4),
                       double(mean_tangent[0]), 1e-6 * scale);
         }

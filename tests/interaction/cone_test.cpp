@@ -75,8 +75,8 @@ TEST(ConeTest, NormalAndBendAreDerivativesOnBothSidesOfTheJoint) {
 TEST(ConeTest, TheNormalIsContinuousAtTheJoint) {
   const double alpha = angle * M_PI / 180, out = radius + 0.3;
   const Point joint{out * std::cos(alpha), 0, -radius + out * std::sin(alpha)};
-  const Sight above = cone(3)->at(test::packed(test::sum(joint, 1e-9, {-std::sin(alpha), 0, std::cos(alpha)})));
-  const Sight below = cone(3)->at(test::packed(test::sum(joint, -1e-9, {-std::sin(alpha), 0, std::cos(alpha)})));
+  const ObstacleGap above = cone(3)->at(test::packed(test::sum(joint, 1e-9, {-std::sin(alpha), 0, std::cos(alpha)})));
+  const ObstacleGap below = cone(3)->at(test::packed(test::sum(joint, -1e-9, {-std::sin(alpha), 0, std::cos(alpha)})));
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(above.normal[i][0], below.normal[i][0], 1e-8);
   EXPECT_NEAR(above.gap[0], 0.3, 1e-14);
   EXPECT_NEAR(below.gap[0], 0.3, 1e-14);

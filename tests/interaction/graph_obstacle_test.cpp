@@ -74,8 +74,8 @@ TEST(GraphObstacleTest, TheReachIsTheRadiusOfTheTrough) {
   EXPECT_NEAR(waves(2, 0.5)->reach(), 1 / (0.5 * k * k), 1e-15);
   EXPECT_EQ(waves(2, 0.5, 0, "Vertical")->reach(), std::numeric_limits<double>::infinity());
   // The second derivatives are finite at that height.
-  const Sight sight = waves(2, 0.5)->at(test::packed({period / 2, 1 / (0.5 * k * k) - 0.5, 0}));
-  EXPECT_TRUE(std::isfinite(sight.bend[0][0][0]));
+  const ObstacleGap found = waves(2, 0.5)->at(test::packed({period / 2, 1 / (0.5 * k * k) - 0.5, 0}));
+  EXPECT_TRUE(std::isfinite(found.bend[0][0][0]));
 }
 
 /// Returns the least distance from a surface of two waves within the reach: the best of many places, improved by
@@ -179,8 +179,8 @@ TEST(GraphObstacleTest, ATurnedAndMovedWallIsTheSameWall) {
       "Sine Wall", 2, {{"Amplitude", 0.4}, {"Period", period}, {"Point", {1.0, -2.0}}, {"Normal", {s, c}}});
   for (double x : {0.3, 1.7, 3.9})
     for (double z : {0.6, 1.2}) {
-      const Sight a = wall->at(test::packed({x, z, 0}));
-      const Sight b = turned->at(test::packed({1 + c * x + s * z, -2 - s * x + c * z, 0}));
+      const ObstacleGap a = wall->at(test::packed({x, z, 0}));
+      const ObstacleGap b = turned->at(test::packed({1 + c * x + s * z, -2 - s * x + c * z, 0}));
       EXPECT_NEAR(a.gap[0], b.gap[0], 1e-14);
       EXPECT_NEAR(c * a.normal[0][0] + s * a.normal[1][0], b.normal[0][0], 1e-14);
     }

@@ -55,8 +55,8 @@ TEST_F(HeightFieldTest, AFieldOfOneWaveIsASineWall) {
   test::RandomPoints points({-30, 0.6, 0}, {30, 2.5, 0});
   for (int i = 0; i < 100; ++i) {
     const Point x = points();
-    const Sight a = wall->at(test::packed(x)), b = rough->at(test::packed(x));
-    const Sight c = rough_in_space->at(test::packed({x[0], 17, x[1]}));
+    const ObstacleGap a = wall->at(test::packed(x)), b = rough->at(test::packed(x));
+    const ObstacleGap c = rough_in_space->at(test::packed({x[0], 17, x[1]}));
     EXPECT_NEAR(a.gap[0], b.gap[0], 1e-7);
     EXPECT_NEAR(a.normal[0][0], b.normal[0][0], 1e-5);
     EXPECT_NEAR(a.bend[0][0][0], b.bend[0][0][0], 2e-3);
@@ -77,7 +77,7 @@ TEST_F(HeightFieldTest, AFieldOfTwoWavesIsASineWallAlongTheDiagonal) {
   test::RandomPoints points({-20, -20, 0.45}, {20, 20, 2});
   for (int i = 0; i < 100; ++i) {
     const Point x = points();
-    const Sight a = wall->at(test::packed(x)), b = rough->at(test::packed(x));
+    const ObstacleGap a = wall->at(test::packed(x)), b = rough->at(test::packed(x));
     if (a.gap[0] > 0.9 * wall->reach()) continue;
     EXPECT_NEAR(a.gap[0], b.gap[0], 1e-6);
     for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(a.normal[j][0], b.normal[j][0], 1e-4);

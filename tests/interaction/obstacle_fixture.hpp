@@ -40,28 +40,28 @@ class RandomPoints {
 /// Compares normal and bend at x with differences of the gap and of the normal. Steps are of size `step`.
 inline void expect_derivatives(const Obstacle& obstacle, const Point& x, std::size_t dimension, double tolerance,
                                double step = 5e-4) {
-  const Sight sight = obstacle.at(packed(x));
+  const ObstacleGap found = obstacle.at(packed(x));
   for (std::size_t i = 0; i < dimension; ++i) {
     Point e{};
     e[i] = 1;
     const auto normal_at = [&](double s, std::size_t j) {
       return double(obstacle.at(packed(sum(x, s, e))).normal[j][0]);
     };
-    EXPECT_NEAR(derivative([&](double s) { return gap(obstacle, sum(x, s, e)); }, step), double(sight.normal[i][0]),
+    EXPECT_NEAR(derivative([&](double s) { return gap(obstacle, sum(x, s, e)); }, step), double(found.normal[i][0]),
                 tolerance)
         << "at " << x[0] << ' ' << x[1] << ' ' << x[2];
     for (std::size_t j = 0; j < dimension; ++j) {
-      EXPECT_NEAR(derivative([&](double s) { return normal_at(s, j); }, step), double(sight.bend[j][i][0]),
+      EXPECT_NEAR(derivative([&](double s) { return normal_at(s, j); }, step), double(found.bend[j][i][0]),
                   10 * tolerance)
           << "at " << x[0] << ' ' << x[1] << ' ' << x[2];
-      EXPECT_NEAR(sight.bend[i][j][0], sight.bend[j][i][0], 1e-13 * (1 + std::abs(sight.bend[i][j][0])));
+      EXPECT_NEAR(found.bend[i][j][0], found.bend[j][i][0], 1e-13 * (1 + std::abs(found.bend[i][j][0])));
     }
   }
 }
 
 /// Checks that the mean normal between two points measures the change of the gap.
 inline void expect_mean(const Obstacle& obstacle, const Point& x0, const Point& x1, double tolerance = 1e-13) {
-  const MeanSight mean = obstacle.mean(packed(x0), packed(x1));
+  const MeanGap mean = obstacle.mean(packed(x0), packed(x1));
   const Point n{mean.normal[0][0], mean.normal[1][0], mean.normal[2][0]};
   EXPECT_NEAR(dot(n, sum(x1, -1, x0)), gap(obstacle, x1) - gap(obstacle, x0), tolerance);
 }

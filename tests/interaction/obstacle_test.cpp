@@ -20,11 +20,11 @@ using test::sum;
 class Plane final : public Obstacle {
  public:
   Plane(const Point& normal, double offset) : normal_(normal), offset_(offset) {}
-  Sight at(const PackPoint& x) const override {
-    Sight sight;
-    sight.gap = x[0] * normal_[0] + x[1] * normal_[1] + x[2] * normal_[2] - offset_;
-    sight.normal = packed(normal_);
-    return sight;
+  ObstacleGap at(const PackPoint& x) const override {
+    ObstacleGap found;
+    found.gap = x[0] * normal_[0] + x[1] * normal_[1] + x[2] * normal_[2] - offset_;
+    found.normal = packed(normal_);
+    return found;
   }
 
  private:
@@ -36,15 +36,15 @@ class Plane final : public Obstacle {
 class Ball final : public Obstacle {
  public:
   explicit Ball(double radius) : radius_(radius) {}
-  Sight at(const PackPoint& x) const override {
+  ObstacleGap at(const PackPoint& x) const override {
     const Pack distance = std::experimental::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-    Sight sight;
-    sight.gap = distance - radius_;
-    for (std::size_t i = 0; i < 3; ++i) sight.normal[i] = x[i] / distance;
+    ObstacleGap found;
+    found.gap = distance - radius_;
+    for (std::size_t i = 0; i < 3; ++i) found.normal[i] = x[i] / distance;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        sight.bend[i][j] = ((i == j ? 1.0 : 0.0) - sight.normal[i] * sight.normal[j]) / distance;
-    return sight;
+        found.bend[i][j] = ((i == j ? 1.0 : 0.0) - found.normal[i] * found.normal[j]) / distance;
+    return found;
   }
 
  private:
@@ -55,12 +55,12 @@ class Ball final : public Obstacle {
 class Power final : public Obstacle {
  public:
   explicit Power(int p) : p_(p) {}
-  Sight at(const PackPoint& x) const override {
-    Sight sight;
-    sight.normal = {power(x[0], p_ - 1), Pack(0.0), Pack(0.0)};
-    sight.gap = power(x[0], p_) / p_;
-    sight.bend[0][0] = (p_ - 1) * power(x[0], p_ - 2);
-    return sight;
+  ObstacleGap at(const PackPoint& x) const override {
+    ObstacleGap found;
+    found.normal = {power(x[0], p_ - 1), Pack(0.0), Pack(0.0)};
+    found.gap = power(x[0], p_) / p_;
+    found.bend[0][0] = (p_ - 1) * power(x[0], p_ - 2);
+    return found;
   }
 
  private:
@@ -75,14 +75,14 @@ class Power final : public Obstacle {
 /// The "gap" x y z.
 class Saddle final : public Obstacle {
  public:
-  Sight at(const PackPoint& x) const override {
-    Sight sight;
-    sight.gap = x[0] * x[1] * x[2];
-    sight.normal = {x[1] * x[2], x[0] * x[2], x[0] * x[1]};
+  ObstacleGap at(const PackPoint& x) const override {
+    ObstacleGap found;
+    found.gap = x[0] * x[1] * x[2];
+    found.normal = {x[1] * x[2], x[0] * x[2], x[0] * x[1]};
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        if (i != j) sight.bend[i][j] = x[3 - i - j];
-    return sight;
+        if (i != j) found.bend[i][j] = x[3 - i - j];
+    return found;
   }
 };
 
@@ -90,7 +90,7 @@ const Point tilt{0.48, 0.6, 0.64};
 
 /// Returns n . (x1 - x0) with the mean normal.
 double change(const Obstacle& obstacle, const Point& x0, const Point& x1) {
-  const MeanSight mean = obstacle.mean(packed(x0), packed(x1));
+  const MeanGap mean = obstacle.mean(packed(x0), packed(x1));
   double result = 0;
   for (std::size_t i = 0; i < 3; ++i) result += lane(mean.normal[i], 0) * (x1[i] - x0[i]);
   return result;
@@ -98,7 +98,7 @@ double change(const Obstacle& obstacle, const Point& x0, const Point& x1) {
 
 TEST(ObstacleMeanTest, OfAPlaneIsItsNormal) {
   const Plane plane(tilt, 0.5);
-  const MeanSight mean = plane.mean(packed({1.0, -2.0, 0.5}), packed({3.0, 0.7, -1.5}));
+  const MeanGap mean = plane.mean(packed({1.0, -2.0, 0.5}), packed({3.0, 0.7, -1.5}));
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(lane(mean.normal[i], 0), tilt[i], 1e-14);
     for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(lane(mean.slope[i][j], 0), 0);
@@ -108,12 +108,12 @@ TEST(ObstacleMeanTest, OfAPlaneIsItsNormal) {
 TEST(ObstacleMeanTest, WithoutAWayIsTheNormalThere) {
   const Ball ball(1);
   const PackPoint x = packed({1.0, 2.0, -1.5});
-  const Sight sight = ball.at(x);
-  const MeanSight mean = ball.mean(x, x);
+  const ObstacleGap found = ball.at(x);
+  const MeanGap mean = ball.mean(x, x);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(lane(mean.normal[i], 0), lane(sight.normal[i], 0), 1e-14);
+    EXPECT_NEAR(lane(mean.normal[i], 0), lane(found.normal[i], 0), 1e-14);
     // The second point moves the points between by half its own way in the mean.
-    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(lane(mean.slope[i][j], 0), lane(sight.bend[i][j], 0) / 2, 1e-14);
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(lane(mean.slope[i][j], 0), lane(found.bend[i][j], 0) / 2, 1e-14);
   }
 }
 
@@ -124,7 +124,7 @@ TEST(ObstacleMeanTest, IsExactForPolynomialsUpToDegreeSix) {
       x0[i] = 0.3 + 0.05 * static_cast<double>(i);
       x1[i] = 1.2 - 0.04 * static_cast<double>(i);
     }
-    const MeanSight mean = Power(p).mean({x0, Pack(0.0), Pack(0.0)}, {x1, Pack(0.0), Pack(0.0)});
+    const MeanGap mean = Power(p).mean({x0, Pack(0.0), Pack(0.0)}, {x1, Pack(0.0), Pack(0.0)});
     for (std::size_t i = 0; i < Pack::size(); ++i) {
       const double a = lane(x0, i), b = lane(x1, i), way = b - a;
       const double normal = (std::pow(b, p) - std::pow(a, p)) / (p * way);
@@ -161,12 +161,12 @@ TEST(ObstacleMeanTest, MeasuresTheChangeOfTheGapBeforeABallToRounding) {
 /// The space between two parallel planes: its gap has a kink half way.
 class Slit final : public Obstacle {
  public:
-  Sight at(const PackPoint& x) const override {
+  ObstacleGap at(const PackPoint& x) const override {
     const auto lower = x[1] < 0.5;
-    Sight sight;
-    sight.gap = select(lower, x[1], Pack(1.0 - x[1]));
-    sight.normal = {Pack(0.0), select(lower, Pack(1.0), Pack(-1.0)), Pack(0.0)};
-    return sight;
+    ObstacleGap found;
+    found.gap = select(lower, x[1], Pack(1.0 - x[1]));
+    found.normal = {Pack(0.0), select(lower, Pack(1.0), Pack(-1.0)), Pack(0.0)};
+    return found;
   }
 };
 
@@ -188,7 +188,7 @@ TEST(ObstacleMeanTest, TheSlopeIsTheDerivativeInTheSecondPoint) {
       const double share = std::min(std::max(-dot(x0, way) / length, 0.0), 1.0);
       const Point nearest = sum(x0, share * length, way);
       if (dot(nearest, nearest) < 0.5) continue;
-      const MeanSight mean = ball.mean(packed(x0), packed(x1));
+      const MeanGap mean = ball.mean(packed(x0), packed(x1));
       const double h = 1e-3 * length;
       for (std::size_t j = 0; j < 3; ++j) {
         const auto normal_at = [&](int steps) {
@@ -213,8 +213,8 @@ TEST(ObstacleMeanTest, LanesAreCorrectedApart) {
   const Point x0{1.2, 0.3, -0.2}, near = sum(x0, 1e-4, direction(1)), far = sum(x0, 2, direction(2));
   PackPoint x1 = packed(near);
   for (std::size_t i = 0; i < 3; ++i) x1[i][0] = far[i];
-  const MeanSight both = ball.mean(packed(x0), x1), alone = ball.mean(packed(x0), packed(near)),
-                  other = ball.mean(packed(x0), packed(far));
+  const MeanGap both = ball.mean(packed(x0), x1), alone = ball.mean(packed(x0), packed(near)),
+                other = ball.mean(packed(x0), packed(far));
   for (std::size_t l = 0; l < Pack::size(); ++l)
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_EQ(lane(both.normal[i], l), lane((l == 0 ? other : alone).normal[i], l));
@@ -227,7 +227,7 @@ TEST(ObstacleMeanTest, ComponentsStandInTheirPlaces) {
   const Point x0{0.3, 1.1, -0.7}, x1{0.9, 0.4, 0.6};
   const Saddle saddle;
   EXPECT_NEAR(change(saddle, x0, x1), gap(saddle, x1) - gap(saddle, x0), 1e-14);
-  const MeanSight mean = saddle.mean(packed(x0), packed(x1));
+  const MeanGap mean = saddle.mean(packed(x0), packed(x1));
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       // The integral of s ((1 - s) x0 + s x1) over s from 0 to 1, in the coordinate that is neither i nor j.
@@ -308,7 +308,7 @@ TEST(ObstacleStepTest, BeforeABallNearlyReachesTheBound) {
 /// A plane that counts how often it is asked.
 class CountedPlane final : public Obstacle {
  public:
-  Sight at(const PackPoint& x) const override {
+  ObstacleGap at(const PackPoint& x) const override {
     ++calls;
     return Plane({0, 1, 0}, 0).at(x);
   }

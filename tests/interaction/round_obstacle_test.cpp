@@ -63,16 +63,16 @@ class RoundObstacleTest : public testing::TestWithParam<Case> {
 TEST_P(RoundObstacleTest, GapNormalAndBendAreThoseOfTheDistance) {
   for (int k = 0; k < 50; ++k) {
     const Point x = free_point();
-    const Sight sight = obstacle_->at(packed(x));
-    EXPECT_NEAR(sight.gap[0], gap(x), 1e-14);
+    const ObstacleGap found = obstacle_->at(packed(x));
+    EXPECT_NEAR(found.gap[0], gap(x), 1e-14);
     for (std::size_t i = 0; i < 3; ++i) {
       Point e{};
       e[i] = 1;
-      EXPECT_NEAR(test::derivative([&](double s) { return gap(sum(x, s, e)); }), double(sight.normal[i][0]), 1e-8);
+      EXPECT_NEAR(test::derivative([&](double s) { return gap(sum(x, s, e)); }), double(found.normal[i][0]), 1e-8);
       for (std::size_t j = 0; j < 3; ++j)
         EXPECT_NEAR(
             test::derivative([&](double s) { return double(obstacle_->at(packed(sum(x, s, e))).normal[j][0]); }),
-            double(sight.bend[j][i][0]), 1e-7);
+            double(found.bend[j][i][0]), 1e-7);
     }
   }
 }
@@ -80,7 +80,7 @@ TEST_P(RoundObstacleTest, GapNormalAndBendAreThoseOfTheDistance) {
 TEST_P(RoundObstacleTest, TheMeanNormalMeasuresTheChangeOfTheGapToRounding) {
   for (int k = 0; k < 200; ++k) {
     const Point x0 = free_point(), x1 = free_point(), d = sum(x1, -1, x0);
-    const MeanSight mean = obstacle_->mean(packed(x0), packed(x1));
+    const MeanGap mean = obstacle_->mean(packed(x0), packed(x1));
     const Point n{mean.normal[0][0], mean.normal[1][0], mean.normal[2][0]};
     EXPECT_NEAR(dot(n, d), gap(x1) - gap(x0), 1e-13);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -127,9 +127,9 @@ TEST_P(RoundObstacleTest, ADirectionOfZeroLengthIsAdmissible) {
 
 // A force needs no direction there: all directions are alike.
 TEST_P(RoundObstacleTest, AtTheCentreTheNormalIsZero) {
-  const Sight sight = obstacle_->at(packed(center));
-  EXPECT_EQ(sight.gap[0], GetParam().cavity ? radius : -radius);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(sight.normal[i][0], 0);
+  const ObstacleGap found = obstacle_->at(packed(center));
+  EXPECT_EQ(found.gap[0], GetParam().cavity ? radius : -radius);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(found.normal[i][0], 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RoundObstacleTest,

@@ -311,16 +311,16 @@ TEST(ModelFieldsTest, TheGeneralPathGivesTheSame) {
 class Ball final : public Obstacle {
  public:
   explicit Ball(std::size_t dimension) : center_{1.0, dimension == 2 ? -3.9 : 0.3, dimension == 2 ? 0.0 : -3.2} {}
-  Sight at(const PackPoint& x) const override {
+  ObstacleGap at(const PackPoint& x) const override {
     PackPoint from;
     for (std::size_t i = 0; i < 3; ++i) from[i] = x[i] - center_[i];
     const Pack distance = std::experimental::sqrt(from[0] * from[0] + from[1] * from[1] + from[2] * from[2]);
-    Sight sight{distance - 3.0, {}, {}};
-    for (std::size_t i = 0; i < 3; ++i) sight.normal[i] = from[i] / distance;
+    ObstacleGap found{distance - 3.0, {}, {}};
+    for (std::size_t i = 0; i < 3; ++i) found.normal[i] = from[i] / distance;
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        sight.bend[i][j] = ((i == j ? 1.0 : 0.0) - sight.normal[i] * sight.normal[j]) / distance;
-    return sight;
+        found.bend[i][j] = ((i == j ? 1.0 : 0.0) - found.normal[i] * found.normal[j]) / distance;
+    return found;
   }
   double gap(const double* x, std::size_t dimension) const {
     double square = 0;

@@ -271,7 +271,7 @@ TEST(TrianglesTest, QualityIsOneForEquilateralTriangles) {
   EXPECT_NEAR(quality.least_scaled_jacobian, 1, 1e-14);
 }
 
-TEST(TrianglesTest, CuresAreRefusedForThem) {
+TEST(TrianglesTest, RemediesForLockingAreRefusedForThem) {
   for (const Formulation remedy : {Formulation::MeanDilatation, Formulation::Enhanced})
     EXPECT_NE(test::refusal([&] {
                 model_of(mixed_plate(), Inertia::None, remedy);

@@ -12,6 +12,7 @@ class SilentInteraction : public Interaction, public Admissibility, public Surfa
   const Rule& followed(const Rule& rule) const override { return rule; }
   bool follows(Mean) const override { return true; }
   bool has_friction() const override { return false; }
+  bool has_time_derivative(const Rule&) const override { return true; }
   double mean_potential(const Segment&) const override { return 0; }
   double rounding(const Place&) const override { return 0; }
   const Admissibility& admissibility() const override { return *this; }

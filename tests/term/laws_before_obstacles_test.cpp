@@ -50,8 +50,8 @@ class LawsBeforeObstaclesSerialTest : public testing::TestWithParam<std::tuple<s
     // The middle of the bottom moves to a point at that gap.
     PackPoint x = {0.3, 2.4, dimension == 3 ? 1.9 : 0.0};
     for (int round = 0; round < 50; ++round) {
-      const Sight sight = obstacle->at(x);
-      for (std::size_t i = 0; i < 3; ++i) x[i] -= (sight.gap - gap) * sight.normal[i];
+      const ObstacleGap found = obstacle->at(x);
+      for (std::size_t i = 0; i < 3; ++i) x[i] -= (found.gap - gap) * found.normal[i];
     }
     from_ = field(x, 0.01, 0.0);
     to_ = field(x, -0.02, 0.4);

@@ -257,7 +257,7 @@ std::string block(const std::string& formulation, int dimension, const std::stri
 }
 
 // The forces derive from the energy that is reported: their mean over a step's straight path conserves it.
-TEST(LockingVerification, AverageVectorFieldKeepsTheEnergyOfTheCures) {
+TEST(LockingVerification, AverageVectorFieldKeepsTheEnergyOfTheRemedies) {
   const auto expect_energy = [](const std::string& body) {
     Simulation s(
         test::scene(body + test::time_integrator("Average Vector Field", 0.02, 1, test::count("Elastic Points", 8))),
@@ -274,7 +274,7 @@ TEST(LockingVerification, AverageVectorFieldKeepsTheEnergyOfTheCures) {
   for (const char* element : {"Q2C2", "Q2C4"}) expect_energy(block("Mean Dilatation", 2, element, 2));
 }
 
-TEST(LockingVerification, WhatTheCuresDoNotOfferIsRefused) {
+TEST(LockingVerification, WhatTheRemediesDoNotOfferIsRefused) {
   const auto message = [](const std::string& scene) -> std::string {
     try {
       const Simulation s(test::scene(scene), world());

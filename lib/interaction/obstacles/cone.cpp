@@ -22,16 +22,16 @@ class Cone final : public Obstacle {
     for (std::size_t i = 0; i < 3; ++i) center_[i] = tip[i] + radius * inward[i];
   }
 
-  Sight at(const PackPoint& x) const override {
+  ObstacleGap at(const PackPoint& x) const override {
     const Place place(*this, x);
     const Pack length = length_of(place.y), distance = positive(length);
-    Sight sight;
-    sight.gap = select(place.before_cone, Pack(cosine_ * place.rho - sine_ * place.t), length) - radius_;
+    ObstacleGap found;
+    found.gap = select(place.before_cone, Pack(cosine_ * place.rho - sine_ * place.t), length) - radius_;
     const Pack rho = positive(place.rho);
     PackPoint radial;
     for (std::size_t i = 0; i < 3; ++i) {
       radial[i] = place.across[i] / rho;
-      sight.normal[i] =
+      found.normal[i] =
           select(place.before_cone, Pack(cosine_ * radial[i] - sine_ * inward_[i]), Pack(place.y[i] / distance));
     }
     const double around = dimension_ == 3 ? cosine_ : 0.0;  // a wedge is flat there
@@ -39,10 +39,10 @@ class Cone final : public Obstacle {
       for (std::size_t j = 0; j < dimension_; ++j) {
         const double identity = i == j ? 1.0 : 0.0;
         const Pack cone = (around / rho) * (identity - inward_[i] * inward_[j] - radial[i] * radial[j]);
-        const Pack sphere = (identity - sight.normal[i] * sight.normal[j]) / distance;
-        sight.bend[i][j] = select(place.before_cone, cone, sphere);
+        const Pack sphere = (identity - found.normal[i] * found.normal[j]) / distance;
+        found.bend[i][j] = select(place.before_cone, cone, sphere);
       }
-    return sight;
+    return found;
   }
 
   bool is_coaxial() const override { return center_[0] == 0 && center_[2] == 0 && inward_[0] == 0 && inward_[2] == 0; }
@@ -59,8 +59,8 @@ class Cone final : public Obstacle {
     constexpr int rounds = 32;
     Pack step = 0.0;
     for (int round = 0; round < rounds; ++round) {
-      const Sight sight = at({x[0] + step * d[0], x[1] + step * d[1], x[2] + step * d[2]});
-      const Pack fall = -dot(sight.normal, d), room = std::experimental::max(Pack(sight.gap - least), Pack(0.0));
+      const ObstacleGap found = at({x[0] + step * d[0], x[1] + step * d[1], x[2] + step * d[2]});
+      const Pack fall = -dot(found.normal, d), room = std::experimental::max(Pack(found.gap - least), Pack(0.0));
       const auto falls = fall > 0.0;
       const Pack advance = select(falls, Pack(room / select(falls, fall, Pack(1.0))), Pack(1.0));
       const Pack next = smaller(Pack(step + advance), Pack(1.0));

@@ -14,14 +14,14 @@ class Wall final : public Obstacle {
   bool is_coaxial() const override { return wall_.normal[0] == 0 && wall_.normal[2] == 0; }
   /// As in the scalar path: laws count the gap's own rounding.
   Pack size_at(const PackPoint&) const override { return 0.0; }
-  Sight at(const PackPoint& x) const override {
-    Sight sight;
-    sight.gap = 0.0;
+  ObstacleGap at(const PackPoint& x) const override {
+    ObstacleGap found;
+    found.gap = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      sight.gap += (x[i] - wall_.point[i]) * wall_.normal[i];
-      sight.normal[i] = wall_.normal[i];
+      found.gap += (x[i] - wall_.point[i]) * wall_.normal[i];
+      found.normal[i] = wall_.normal[i];
     }
-    return sight;
+    return found;
   }
   Pack admissible_step(const PackPoint& x, const PackPoint& d, const Pack& least) const override {
     Pack change = 0.0;

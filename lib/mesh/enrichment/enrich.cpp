@@ -197,9 +197,13 @@ std::vector<ExtraNodes> add_nodes(Mesh& mesh, const SideSet& set, ContactElement
       return add_lagrange_nodes(mesh, set, 4);
     case ContactElement::Q2C4:
       return add_quarter_nodes(mesh, set);
-    default:
+    case ContactElement::Q1CH:
       return mesh.dimension == 2 ? add_hermite_nodes(mesh, set) : add_hermite_face_nodes(mesh, set);
+    case ContactElement::Q1C1:
+    case ContactElement::Q2C2:
+      break;
   }
+  throw std::logic_error("the sides of this contact element have no extra nodes");
 }
 
 }  // namespace

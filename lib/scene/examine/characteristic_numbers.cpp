@@ -102,15 +102,15 @@ double measure_of(const std::vector<Point>& corners, int dimension) {
   return 0.5 * std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
 }
 
-Sight sight_of(const Obstacle& obstacle, const Point& x) { return obstacle.at({x[0], x[1], x[2]}); }
+ObstacleGap obstacle_gap(const Obstacle& obstacle, const Point& x) { return obstacle.at({x[0], x[1], x[2]}); }
 
 /// Returns the curvature 1/R of a sphere's surface that has the obstacle's mean curvature below x: on parallel surfaces
 /// a sphere's distance g from R bends by 1/(R + g) in each direction.
 double curvature_below(const Obstacle& obstacle, const Point& x, int dimension) {
-  const Sight sight = sight_of(obstacle, x);
+  const ObstacleGap found = obstacle_gap(obstacle, x);
   double bend = 0;
-  for (std::size_t i = 0; i < 3; ++i) bend += sight.bend[i][i][0] / (dimension - 1);
-  return bend == 0 ? 0 : 1 / (1 / bend - sight.gap[0]);
+  for (std::size_t i = 0; i < 3; ++i) bend += found.bend[i][i][0] / (dimension - 1);
+  return bend == 0 ? 0 : 1 / (1 / bend - found.gap[0]);
 }
 
 void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
@@ -135,7 +135,7 @@ void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, S
   numbers.largest_gap = -infinity;
   for (const Side& side : set.sides)
     for (const Point& point : side_points(mesh, side)) {
-      const double gap = sight_of(obstacle, point).gap[0];
+      const double gap = obstacle_gap(obstacle, point).gap[0];
       numbers.largest_gap = std::max(numbers.largest_gap, gap);
       if (!(gap < numbers.least_gap)) continue;
       numbers.least_gap = gap;
@@ -195,8 +195,8 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     add_sides(mesh, *set, *obstacle, numbers, nearest);
     take_missing_bonds(interaction, numbers);
     numbers.elastic_length = numbers.work / body.modulus;
-    const Sight sight = sight_of(*obstacle, nearest);
-    for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = sight.normal[axis][0];
+    const ObstacleGap found = obstacle_gap(*obstacle, nearest);
+    for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = found.normal[axis][0];
     numbers.thickness = extent_along(mesh, parts, numbers.part, numbers.normal);
     numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, numbers.thickness);
     const SceneNode& shape = list_of(block, shapes);

@@ -71,8 +71,8 @@ class Supports {
     const bool turns = !interaction.motion.histories().empty() && interaction.node.text("Obstacle") != "Half-Space";
     for (const int node : nodes_of(*set)) {
       const Point x = place(node);
-      const Sight sight = obstacle->at({x[0], x[1], x[2]});
-      const Point normal{sight.normal[0][0], sight.normal[1][0], sight.normal[2][0]};
+      const ObstacleGap found = obstacle->at({x[0], x[1], x[2]});
+      const Point normal{found.normal[0][0], found.normal[1][0], found.normal[2][0]};
       const bool known = std::isfinite(dot(normal, normal)) && dot(normal, normal) > 0;
       if (has_friction(interaction) || turns || !known)
         hold_all(bodies_[part_of(node)].outer, x);

@@ -10,6 +10,7 @@
 #include "io/disk_file.hpp"
 #include "scene/scene_file.hpp"
 #include "study/common/absolute_paths.hpp"
+#include "study/common/tuning.hpp"
 
 namespace ixos {
 namespace {
@@ -96,8 +97,9 @@ std::string error_lines(const AdviceQuestion& question, const Advice& advice) {
                         percent(advice.interaction));
   for (std::size_t q = 0; q < advice.sensitivities.size(); ++q)
     if (advice.sensitivities[q].kind == Predictability::Sensitive)
-      text += fmt::format("  {} is sensitive: a change of the density by 1e-10 changes it by {}.\n",
-                          question.quantities[q].text(), percent(advice.sensitivities[q].change));
+      text += fmt::format("  {} is sensitive: a change of the density by {} changes it by {}.\n",
+                          question.quantities[q].text(), tuning::perturbation_size,
+                          percent(advice.sensitivities[q].change));
   if (!advice.directions.mesh_note.empty())
     text += fmt::format("  The mesh was not examined: {}.\n", advice.directions.mesh_note);
   return text;

@@ -136,7 +136,7 @@ std::vector<double> AdviceRuns::perturbed(const AdvicePoint& point) {
   if (directions_.perturbation.empty()) return {};
   StudyRun run = run_of(point);
   run.name += "_perturbed";
-  run.labels = {run.labels.front() + ", perturbed by 1e-10"};
+  run.labels = {fmt::format("{}, perturbed by {}", run.labels.front(), tuning::perturbation_size)};
   run.settings.insert(run.settings.end(), directions_.perturbation.begin(), directions_.perturbation.end());
   this->run({run});
   return sample_of(point, run).values;

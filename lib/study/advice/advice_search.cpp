@@ -151,9 +151,9 @@ bool AdviceSearch::is_predictable(const AdvicePoint& point) {
     if (found.kind != Predictability::Chaotic || is_error_[q]) continue;
     predictable = false;
     problem_ += fmt::format(
-        "{}The scene is chaotic for {}: a change of the density by 1e-10 changes it by {:.2g} %. No step or mesh makes "
+        "{}The scene is chaotic for {}: a change of the density by {} changes it by {:.2g} %. No step or mesh makes "
         "it converge. {}",
-        problem_.empty() ? "" : " ", question_.quantities[q].text(), 100 * found.change,
+        problem_.empty() ? "" : " ", question_.quantities[q].text(), tuning::perturbation_size, 100 * found.change,
         question_.quantities[q].is_statistic() ? "A longer window gives a mean that varies less."
                                                : "Means over a long window and the energy error can be predicted.");
   }

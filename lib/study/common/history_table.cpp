@@ -10,6 +10,7 @@
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
+#include "study/common/tuning.hpp"
 
 namespace ixos {
 
@@ -57,7 +58,7 @@ const std::vector<double>& HistoryTable::column(const std::string& name) const {
 double interpolated(const std::vector<double>& times, const std::vector<double>& values, double time) {
   const double nothing = std::numeric_limits<double>::quiet_NaN();
   if (times.empty()) return nothing;
-  const double slack = 1e-9 * (times.back() - times.front());
+  const double slack = tuning::same_time * (times.back() - times.front());
   if (time < times.front() - slack || time > times.back() + slack) return nothing;
   const auto after = std::upper_bound(times.begin(), times.end(), time);
   if (after == times.begin()) return values.front();

@@ -41,7 +41,7 @@ struct StudyReference::Results {
     double square = nothing;
     if (components.empty()) return square;
     const std::vector<double> at = times(components.front());
-    const double slack = 1e-9 * (at.back() - at.front());
+    const double slack = tuning::same_time * (at.back() - at.front());
     for (std::size_t i = 0; i < at.size(); ++i) {
       if (at[i] < from - slack || at[i] > to + slack) continue;
       double sum = 0;
@@ -173,7 +173,7 @@ StudyErrors StudyReference::errors(const std::string& folder) const {
   const std::vector<double>& times = reference_->history.column("time");
   const double from = std::max(options_.from, times.front()), to = std::min(options_.to, times.back());
   const double end = run.history.column("time").back();
-  if (end < to - 0.05 * (to - from))
+  if (end < to - tuning::near_end * (to - from))
     throw InputError(
         fmt::format("no errors: the run ended at {:.6g} T0, before the end of the comparison at {:.6g} T0", end, to));
   const auto either = [&](const std::vector<std::string>& named, const std::vector<std::string>& usual) {

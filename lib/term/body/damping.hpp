@@ -34,6 +34,7 @@ class Damping final : public RateTerm {
   void add_force_at(double factor, const double* u, const double* v, double* f) const override;
   void add_tangent_at(double by_velocity, double by_displacement, const double* u, const double* v,
                       double* values) const override;
+  bool is_diagonal() const override { return false; }
   /// Needs the matrix.
   void add_row_sums(const double* u, double* sums) const override;
   StepWork accept(const AcceptedStep& step, TermHistories& histories) const override;

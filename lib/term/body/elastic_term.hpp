@@ -17,8 +17,8 @@ class ElasticLaw;
 /// The element's energy. All of them are functions of the displacement alone.
 enum class Formulation {
   Standard,        ///< of displacements alone: locks if nearly incompressible, and in bending
-  MeanDilatation,  ///< DilatationKernel: remedies the first, of all cell types
-  Enhanced  ///< EnhancedKernel: remedies both if pressures are moderate; linear cells, enriched ones stay Standard
+  MeanDilatation,  ///< DilatationKernel: without the first, of all cell types
+  Enhanced  ///< EnhancedKernel: without both if pressures are moderate; linear cells, enriched ones stay Standard
 };
 
 /// Means over the reference volume of each cell of one block, for output.

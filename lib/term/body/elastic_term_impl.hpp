@@ -22,7 +22,7 @@ namespace ixos {
 
 /// `Kernel`: of AnyLaw, so that it is compiled once for all laws.
 template <class Kernel>
-class CuredTerm final : public ElasticityIn<typename Kernel::Space> {
+class LockingFreeTerm final : public ElasticityIn<typename Kernel::Space> {
   using Base = ElasticityIn<typename Kernel::Space>;
   using Material = typename Kernel::Law;
   static constexpr std::size_t D = Kernel::D;
@@ -34,8 +34,8 @@ class CuredTerm final : public ElasticityIn<typename Kernel::Space> {
   using typename Base::Seen;
 
  public:
-  CuredTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
-            const std::shared_ptr<const ElasticLaw>& law, int points)
+  LockingFreeTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                  const std::shared_ptr<const ElasticLaw>& law, int points)
       : Base(law), material_(law), cells_(mesh, block, pattern, points) {}
 
   void place(const Pattern& pattern) override { cells_.batches.place(pattern); }
@@ -107,7 +107,7 @@ template <template <class, class> class Kernel, class Element>
 std::unique_ptr<Elasticity> make_kernel_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                              const std::shared_ptr<const ElasticLaw>& law, int points) {
   using Law = AnyLaw<SpaceOf<Element>>;
-  return std::make_unique<CuredTerm<Kernel<Element, Law>>>(mesh, block, pattern, law, points);
+  return std::make_unique<LockingFreeTerm<Kernel<Element, Law>>>(mesh, block, pattern, law, points);
 }
 
 /// Returns the term with mean dilatation of cells of a dimension, `revolved`: of bodies of revolution.

@@ -30,6 +30,7 @@ class ElasticityIn : public Elasticity {
   using Seen = SeenPoints<Space>;
 
   double energy(const Place& at) const final;
+  bool has_time_derivative(const Rule&) const final { return true; }
   void cell_fields(const double* u, CellFields& fields) const final;
   void cell_stress(const double* u, std::vector<SymmetricTensor>& stress) const final;
 

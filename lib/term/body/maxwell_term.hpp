@@ -31,6 +31,7 @@ struct BranchSquares {
 class Viscoelasticity : public ForceTerm {
  public:
   Part part() const final { return Part::Elastic; }
+  bool has_time_derivative(const Rule&) const final { return true; }
   /// Adds the diagonal of the tangent at a displacement, histories frozen, to a local array.
   virtual void add_diagonal(const Place& at, double* diagonal) const = 0;
   /// Adds, for each local cell of the block, the mean density of the energy dissipated so far [E0]; makes an empty

@@ -14,6 +14,7 @@ namespace ixos {
 /// The viscosity of a block. A TermHistory keeps the energy that it has dissipated at each quadrature point.
 class Viscosity : public RateTerm {
  public:
+  bool is_diagonal() const final { return false; }
   /// Sets, for each local cell of the block, the mean density of the energy dissipated so far [E0].
   virtual void cell_dissipation(const TermHistories& histories, std::vector<double>& density) const = 0;
   /// Adds, for each local cell of the block, the mean viscous Cauchy stress J^-1 F S F^T of a displacement and a

@@ -16,6 +16,8 @@ class PairAction final : public TangentAction {
   explicit PairAction(PairBlocks blocks) : tangent_(std::move(blocks)) {}
 
   void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override;
+  bool applies_mass() const override { return false; }
+  bool has_coarse() const override { return false; }
   void add_product(const double* x, double* y) const override;
   void add_diagonal(double* d) const override;
 

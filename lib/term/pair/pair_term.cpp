@@ -47,6 +47,7 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   }
   bool is_gradient(const Rule& rule) const override { return points_.reacts() && rule.is_gradient(); }
   bool has_friction() const override { return false; }
+  bool has_time_derivative(const Rule&) const override { return true; }
   const Admissibility& admissibility() const override { return *this; }
   const SurfaceReport& reports() const override { return *this; }
   Coupling* coupling() override { return this; }

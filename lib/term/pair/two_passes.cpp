@@ -157,6 +157,8 @@ class TwoPasses final : public Interaction, public Admissibility, public Couplin
       first_->linearize(segment, rule, kind, linear);
       second_->linearize(segment, rule, kind, linear);
     }
+    bool applies_mass() const override { return false; }
+    bool has_coarse() const override { return false; }
     void add_product(const double* x, double* y) const override {
       first_->add_product(x, y);
       second_->add_product(x, y);

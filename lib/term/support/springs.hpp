@@ -37,6 +37,7 @@ class Springs final : public ForceTerm {
   std::unique_ptr<TangentAction> create_action() const override;
   bool add_row_sums(const Segment& segment, double* sums) const override;
   double energy(const Place& at) const override;
+  bool has_time_derivative(const Rule&) const override { return true; }
   /// The factor of all stiffnesses, 1 at first, of which the load k w is no part.
   std::vector<std::string> parameters() const override { return {"Stiffness Factor"}; }
   bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
@@ -77,8 +78,8 @@ class Dashpots final : public RateTerm {
   /// The driven work is that of the driven ends, less that of the load c w'.
   StepWork accept(const AcceptedStep& step, TermHistories& histories) const override;
 
-  /// Adds factor c to the diagonal d, a local array.
-  void add_diagonal(double factor, double* d) const;
+  bool is_diagonal() const override { return true; }
+  void add_diagonal(double factor, double* d) const override;
   const DrivenEnds& ends() const { return ends_; }
 
  protected:

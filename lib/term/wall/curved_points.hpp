@@ -54,22 +54,22 @@ class CurvedPoints {
     for (const RulePoint& point : rule.points) {
       const PackPoint x = ends.at(q, point);
       if (is_out_of_range(x)) continue;
-      const Sight sight = stiffness ? obstacle_->at(x) : obstacle_->gap_and_normal(x);
-      const Pack pressure = law.traction(sight.gap);
+      const ObstacleGap found = stiffness ? obstacle_->at(x) : obstacle_->gap_and_normal(x);
+      const Pack pressure = law.traction(found.gap);
       if (traction) {
-        add(point.weight * pressure, sight.normal, sight.gap, result);
+        add(point.weight * pressure, found.normal, found.gap, result);
         end_is_seen = end_is_seen || (point.to == 1 && point.from == 0 && point.velocity == 0);
       }
       if (!stiffness) continue;
       const double weight = point.weight * point.to;
-      const Pack along = weight * kept(law.stiffness(sight.gap));
-      const Pack across = weight * bending_factor(sight, pressure, convex);
+      const Pack along = weight * kept(law.stiffness(found.gap));
+      const Pack across = weight * bending_factor(found, pressure, convex);
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j)
-          result.stiffness[i][j] += along * (sight.normal[i] * sight.normal[j]) + across * sight.bend[i][j];
+          result.stiffness[i][j] += along * (found.normal[i] * found.normal[j]) + across * found.bend[i][j];
     }
     if (rule.mean != Mean::Points) {
-      const MeanSight mean = obstacle_->mean(ends.from(q), ends.to(q));
+      const MeanGap mean = obstacle_->mean(ends.from(q), ends.to(q));
       const Pack pressure = law.mean_traction(mean.start_gap, mean.end_gap);
       if (traction) add(pressure, mean.normal, mean.end_gap, result);
       const Pack along = stiffness ? kept(law.mean_stiffness(mean.start_gap, mean.end_gap)) : Pack(0.0);
@@ -100,7 +100,7 @@ class CurvedPoints {
     return respond<Stiffness>(laws, ends, b, q, rule, kind).stiffness;
   }
 
-  /// Returns the sum of visit(law, place, sight, weight, area) over the points of sides that count on this rank;
+  /// Returns the sum of visit(law, place, found, weight, area) over the points of sides that count on this rank;
   /// `weight` is the measure, `area` the one without the factor.
   template <class Visit>
   double sum_over_points(const PointLaws::Kept& laws, const double* u, const Visit& visit) const {
@@ -173,9 +173,9 @@ class CurvedPoints {
 
   /// Returns -T, the factor of H. The convex kind leaves it out where -T H has a negative trace: before convex
   /// obstacles in repulsion, in cavities in attraction.
-  static Pack bending_factor(const Sight& sight, const Pack& pressure, bool convex) {
+  static Pack bending_factor(const ObstacleGap& found, const Pack& pressure, bool convex) {
     Pack trace = 0.0;
-    for (std::size_t i = 0; i < D; ++i) trace += sight.bend[i][i];
+    for (std::size_t i = 0; i < D; ++i) trace += found.bend[i][i];
     const Pack factor = -pressure;
     return convex ? select(factor * trace > 0.0, factor, Pack(0.0)) : factor;
   }

@@ -16,7 +16,7 @@ template <class SideElement>
 class CurvedSides final : public SurfaceSides<SideElement, CurvedWallSides<SideElement::dimension + 1>> {
   using Base = SurfaceSides<SideElement, CurvedWallSides<SideElement::dimension + 1>>;
   using Interface = CurvedWallSides<SideElement::dimension + 1>;
-  using typename Interface::SightOf;
+  using typename Interface::GapOf;
 
  public:
   using Base::Base;
@@ -50,42 +50,43 @@ class CurvedSides final : public SurfaceSides<SideElement, CurvedWallSides<SideE
     return sum;
   }
 
-  /// Returns the gaps of a batch's nodes; `sight_of`(place) is the obstacle's Sight. At derivative nodes they are the
-  /// gap's derivatives: n . x_s, and for a mixed derivative n . x_st + x_s . H x_t with the gap's second derivatives H.
-  template <class SightOf>
-  std::array<Pack, N> nodal_gaps(std::size_t b, const double* u, const SightOf& sight_of) const {
+  /// Returns the gaps of a batch's nodes; `obstacle_gap`(place) is the obstacle's ObstacleGap. At derivative nodes they
+  /// are the gap's derivatives: n . x_s, and for a mixed derivative n . x_st + x_s . H x_t with the gap's second
+  /// derivatives H.
+  template <class GapOf>
+  std::array<Pack, N> nodal_gaps(std::size_t b, const double* u, const GapOf& obstacle_gap) const {
     const Vectors x = places_of(b, u);
     std::array<Pack, N> gaps;
     for (std::size_t a = 0; a < N; ++a) {
       PackPoint point{};
       for (std::size_t i = 0; i < D; ++i) point[i] = x[Base::place_of(a)][i];
-      const Sight sight = sight_of(point);
-      gaps[a] = sight.gap;
+      const ObstacleGap found = obstacle_gap(point);
+      gaps[a] = found.gap;
       if (a < Base::places) continue;
       gaps[a] = 0.0;
-      for (std::size_t i = 0; i < D; ++i) gaps[a] += sight.normal[i] * x[a][i];
+      for (std::size_t i = 0; i < D; ++i) gaps[a] += found.normal[i] * x[a][i];
       if ((a - Base::places) % Base::derivatives < 2) continue;
       for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) gaps[a] += sight.bend[i][j] * x[a - 2][i] * x[a - 1][j];
+        for (std::size_t j = 0; j < D; ++j) gaps[a] += found.bend[i][j] * x[a - 2][i] * x[a - 1][j];
     }
     return gaps;
   }
 
   /// Returns the obstacle's unit normals at a batch's nodes, nothing at derivative nodes. Zero where the gap has no
   /// direction.
-  template <class SightOf>
-  Vectors nodal_normals(std::size_t b, const double* u, const SightOf& sight_of) const {
+  template <class GapOf>
+  Vectors nodal_normals(std::size_t b, const double* u, const GapOf& obstacle_gap) const {
     const Vectors x = places_of(b, u);
     Vectors normals{};
     for (std::size_t a = 0; a < Base::places; ++a) {
       PackPoint point{};
       for (std::size_t i = 0; i < D; ++i) point[i] = x[a][i];
-      const Sight sight = sight_of(point);
+      const ObstacleGap found = obstacle_gap(point);
       Pack square = 0.0;
-      for (std::size_t i = 0; i < D; ++i) square += sight.normal[i] * sight.normal[i];
+      for (std::size_t i = 0; i < D; ++i) square += found.normal[i] * found.normal[i];
       // The gradient of a vertical gap is longer than 1.
       const Pack length = std::experimental::sqrt(select(square > 0.0, square, Pack(1.0)));
-      for (std::size_t i = 0; i < D; ++i) normals[a][i] = sight.normal[i] / length;
+      for (std::size_t i = 0; i < D; ++i) normals[a][i] = found.normal[i] / length;
     }
     return normals;
   }
@@ -135,11 +136,11 @@ class CurvedSides final : public SurfaceSides<SideElement, CurvedWallSides<SideE
       return [&gap_of, x = places_of(b, u)](const auto& shape) { return gap_of(interpolate(shape, x)); };
     });
   }
-  void lower_nodal_gaps(const double* u, const SightOf& sight_of, double* by_node) const override {
-    for (std::size_t b = 0; b < this->size(); ++b) this->lower_nodal(b, nodal_gaps(b, u, sight_of), by_node);
+  void lower_nodal_gaps(const double* u, const GapOf& obstacle_gap, double* by_node) const override {
+    for (std::size_t b = 0; b < this->size(); ++b) this->lower_nodal(b, nodal_gaps(b, u, obstacle_gap), by_node);
   }
-  void set_nodal_normals(const double* u, const SightOf& sight_of, double* local) const override {
-    for (std::size_t b = 0; b < this->size(); ++b) this->set_nodal(b, nodal_normals(b, u, sight_of), local);
+  void set_nodal_normals(const double* u, const GapOf& obstacle_gap, double* local) const override {
+    for (std::size_t b = 0; b < this->size(); ++b) this->set_nodal(b, nodal_normals(b, u, obstacle_gap), local);
   }
 
   /// Sets a tangent to the sum of N_a k N_c over the points of an element's table with a matrix k at each. The blocks

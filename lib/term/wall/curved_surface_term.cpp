@@ -97,8 +97,8 @@ class CurvedSurfaceTerm final : public SurfaceInteractionTerm<CurvedSurfaceTerm<
 
   double energy(const Place& at) const override {
     return sum_over_points(this->laws(at.histories), at.u,
-                           [&](const GapLawAt& law, const PackPoint&, const Sight& sight, const Pack& weight,
-                               const Pack&) { return weight * law.energy(sight.gap); });
+                           [&](const GapLawAt& law, const PackPoint&, const ObstacleGap& found, const Pack& weight,
+                               const Pack&) { return weight * law.energy(found.gap); });
   }
 
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
@@ -153,10 +153,10 @@ class CurvedSurfaceTerm final : public SurfaceInteractionTerm<CurvedSurfaceTerm<
   double rounding(const Place& at) const override {
     return sum_over_points(
         this->laws(at.histories), at.u,
-        [&](const GapLawAt& law, const PackPoint& x, const Sight& sight, const Pack& weight, const Pack&) {
-          const Pack near = smaller(sight.gap, laws_.equilibrium_gap());  // a step may lead there
+        [&](const GapLawAt& law, const PackPoint& x, const ObstacleGap& found, const Pack& weight, const Pack&) {
+          const Pack near = smaller(found.gap, laws_.equilibrium_gap());  // a step may lead there
           const Pack force =
-              weight * (law.magnitude(sight.gap) + std::experimental::abs(law.stiffness(near)) * obstacle_->size_at(x));
+              weight * (law.magnitude(found.gap) + std::experimental::abs(law.stiffness(near)) * obstacle_->size_at(x));
           return force * force;
         });
   }
@@ -183,11 +183,11 @@ class CurvedSurfaceTerm final : public SurfaceInteractionTerm<CurvedSurfaceTerm<
     report.force.resize(D, 0.0);
     report.measure += sum_over_points(
         this->laws(at.histories), at.u,
-        [&](const GapLawAt& law, const PackPoint&, const Sight& sight, const Pack& weight, const Pack& area) {
-          report.least_gap = std::min(report.least_gap, least(sight.gap));
-          const Pack force = weight * law.traction(sight.gap);
-          for (std::size_t i = 0; i < D; ++i) report.force[i] += total(Pack(force * sight.normal[i]));
-          return select(sight.gap < laws_.adhesion_gap(), area, Pack(0.0));
+        [&](const GapLawAt& law, const PackPoint&, const ObstacleGap& found, const Pack& weight, const Pack& area) {
+          report.least_gap = std::min(report.least_gap, least(found.gap));
+          const Pack force = weight * law.traction(found.gap);
+          for (std::size_t i = 0; i < D; ++i) report.force[i] += total(Pack(force * found.normal[i]));
+          return select(found.gap < laws_.adhesion_gap(), area, Pack(0.0));
         });
   }
 

@@ -8,8 +8,8 @@ namespace ixos {
 
 template <std::size_t D>
 typename FrictionPoints<D>::Contact FrictionPoints<D>::contact_at(const PackPoint& x) const {
-  const Sight sight = obstacle_->gap_and_normal(x);
-  Contact contact{sight.gap, first(sight.normal), {}};
+  const ObstacleGap found = obstacle_->gap_and_normal(x);
+  Contact contact{found.gap, first(found.normal), {}};
   const Pack square = inner(contact.gradient, contact.gradient);
   const Pack length = std::experimental::sqrt(select(square > 0.0, square, Pack(1.0)));
   for (std::size_t i = 0; i < D; ++i) contact.normal[i] = contact.gradient[i] / length;

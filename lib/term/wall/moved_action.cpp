@@ -28,6 +28,8 @@ class MovedInteraction::Action final : public TangentAction {
     parts_[0].action->linearize(term_.ends(segment), rule, kind, linear);
   }
 
+  bool applies_mass() const override { return false; }
+
   void add_product(const double* x, double* y) const override {
     for (const Part& part : parts_) {
       if (!term_.frame_.turns()) {

@@ -90,6 +90,7 @@ class SurfaceInteractionTerm : public Interaction, public Admissibility, public 
   const Rule& followed(const Rule& rule) const final { return rule; }
   bool follows(Mean) const final { return true; }
   bool has_friction() const final { return false; }
+  bool has_time_derivative(const Rule&) const final { return true; }
   const Admissibility& admissibility() const final { return *this; }
   const SurfaceReport& reports() const final { return *this; }
   Coupling* coupling() final { return nullptr; }

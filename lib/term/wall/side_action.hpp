@@ -29,6 +29,7 @@ class SideAction final : public TangentAction {
   void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override {
     linearize_(segment, rule, kind, *matrices_);
   }
+  bool applies_mass() const override { return false; }
   void add_product(const double* x, double* y) const override { matrices_->add_product(x, y); }
   void add_diagonal(double* d) const override { matrices_->add_diagonal(d); }
   bool has_coarse() const override { return sides_.may_be_coarsened(); }

@@ -128,11 +128,12 @@ class CurvedWallSides : public WallSides<D> {
   virtual std::unique_ptr<Matrices> create_matrices() const = 0;
   /// Returns the square of the longest way of a batch's nodes between two displacements.
   virtual Pack longest_way_square(std::size_t b, const double* from, const double* to) const = 0;
-  /// See Admissibility::lowest_point() and SurfaceReport. `sight_of`: gap and normal, and second derivatives for gaps.
-  using SightOf = std::function<Sight(const PackPoint&)>;
+  /// See Admissibility::lowest_point() and SurfaceReport. `obstacle_gap`: gap and normal, and second derivatives for
+  /// gaps.
+  using GapOf = std::function<ObstacleGap(const PackPoint&)>;
   virtual LowestPoint lowest_gap(const double* u, const std::function<Pack(const PackPoint&)>& gap_of) const = 0;
-  virtual void lower_nodal_gaps(const double* u, const SightOf& sight_of, double* by_node) const = 0;
-  virtual void set_nodal_normals(const double* u, const SightOf& sight_of, double* local) const = 0;
+  virtual void lower_nodal_gaps(const double* u, const GapOf& obstacle_gap, double* by_node) const = 0;
+  virtual void set_nodal_normals(const double* u, const GapOf& obstacle_gap, double* local) const = 0;
 };
 
 /// Sides of one type of element and choice of tied edges: those that a set has, or a kind of a block that it may have.

@@ -279,6 +279,8 @@ class Bed final : public test::SilentInteraction {
    public:
     explicit Action(std::size_t dofs) : dofs_(dofs) {}
     void linearize(const Segment&, const Rule&, Tangent, const LinearPart&) override {}
+    bool applies_mass() const override { return false; }
+    bool has_coarse() const override { return false; }
     void add_product(const double* x, double* y) const override {
       for (std::size_t i = 0; i < dofs_; ++i) y[i] += x[i];
     }
