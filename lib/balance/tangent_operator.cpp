@@ -39,11 +39,7 @@ void TangentOperator::linearize(const BalancePoint& at, const TangentWeights& we
   for (const auto& action : interactions_) action->linearize(at.interaction, *at.interaction_rule, kind, {});
   mass_ = weights.mass;
   damping_ = weights.damping;
-  rates_.clear();
-  if (!model_.rate_terms().empty()) {
-    rates_.resize(static_cast<std::size_t>(model_.space().local()));
-    TermSums(model_).add_rate_diagonal(damping_, rates_.data());
-  }
+  rates_ = TermSums(model_).rate_diagonal(damping_);
   shift_ = weights.shift;
   constrained_diagonal_ = constrained;
   assembled_ = false;

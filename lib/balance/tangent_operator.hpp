@@ -51,7 +51,7 @@ class TangentOperator : public AssemblableOperator, public CoarsenableOperator {
   std::vector<std::unique_ptr<TangentAction>> elastic_, interactions_;
   bool mass_in_elastic_;  ///< the elastic actions apply it
   double mass_ = 0, damping_ = 0, shift_ = 0, constrained_diagonal_ = 1;
-  std::vector<double> rates_;                      ///< diagonal of the tangent of rate terms, local; empty without them
+  std::vector<double> rates_;                      ///< see TermSums::rate_diagonal
   mutable std::vector<double> x_, result_, part_;  ///< scratch, local
   mutable Teuchos::RCP<CrsMatrix> matrix_;
   mutable bool assembled_ = false;

@@ -104,9 +104,14 @@ bool TermSums::has_diagonal_rates() const {
                      [&](const RateTerm* term) { return term->is_diagonal() || term == model_.damping(); });
 }
 
-void TermSums::add_rate_diagonal(double factor, double* d) const {
-  for (const RateTerm* term : model_.rate_terms())
-    if (term->is_diagonal()) term->add_diagonal(factor, d);
+std::vector<double> TermSums::rate_diagonal(double factor) const {
+  std::vector<double> d;
+  for (const RateTerm* term : model_.rate_terms()) {
+    if (!term->is_diagonal()) continue;
+    d.resize(static_cast<std::size_t>(model_.space().local()));
+    term->add_diagonal(factor, d.data());
+  }
+  return d;
 }
 
 void TermSums::add_rate_row_sums(const double* u, double* sums) const {

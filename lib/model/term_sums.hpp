@@ -43,9 +43,10 @@ class TermSums {
   void add_rate_tangent_at(double by_velocity, double by_displacement, const double* u, const double* v,
                            double* values) const;
   void add_rate_row_sums(const double* u, double* sums) const;
-  /// Returns whether all rate terms but the model's damping are diagonal, and adds the diagonals of these.
+  /// Returns whether all rate terms but the model's damping are diagonal, and the sum of the diagonals of those that
+  /// are, a local array; empty if none is.
   bool has_diagonal_rates() const;
-  void add_rate_diagonal(double factor, double* d) const;
+  std::vector<double> rate_diagonal(double factor) const;
 
   /// Returns this rank's sum of ForceTerm::potential over that part's terms, except interactions that follow a mean in
   /// closed form in place of the rule's points [E0 L0^D].

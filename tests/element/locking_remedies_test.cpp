@@ -1,4 +1,4 @@
-// What the remedies for locking mend, and what not: volumetric constraints, bending, hourglasses.
+// The remedies for locking: which volumetric constraints and bending modes each frees, and which hourglasses stay.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "model/term_sums.hpp"
 #include "model/traits.hpp"
 
 namespace ixos {
@@ -30,7 +29,6 @@ ProblemSize problem_size(const Model& model) {
   size.quadratic = has_quadratic_cells(model.mesh());
   size.refined = model.mesh().refinement != nullptr;
   if (size.quadratic || size.refined) size.fine_only = term_without_coarse(model);
-  if (!TermSums(model).has_diagonal_rates()) size.matrix_only = "a term of rates";
   if (has_viscosity(model)) size.asymmetry = size.matrix_only = "the viscosity";
   for (const NamedForceTerm& named : model.force_terms()) {
     const std::string name = "\"" + named.name + "\"";

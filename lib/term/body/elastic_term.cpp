@@ -18,13 +18,14 @@ std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const Local
         "block \"" + block.name +
         "\": the strain of linear triangles is constant, so that neither Mean Dilatation nor Enhanced changes "
         "them; use Standard, or quadrilaterals");
-  const bool standard =
-      formulation == Formulation::Standard || (formulation == Formulation::Enhanced && is_enriched(block.type));
-  if (standard) return make_standard_term(mesh, block, pattern, law, points);
-  if (formulation == Formulation::Enhanced) return make_enhanced_term(mesh, block, pattern, law, points);
-  if (mesh.axisymmetric) return make_ring_dilatation_term(mesh, block, pattern, law, points);
-  return (mesh.dimension == 2 ? make_plane_dilatation_term : make_solid_dilatation_term)(mesh, block, pattern, law,
-                                                                                         points);
+  if (formulation == Formulation::MeanDilatation) {
+    const auto make = mesh.axisymmetric     ? make_ring_dilatation_term
+                      : mesh.dimension == 2 ? make_plane_dilatation_term
+                                            : make_solid_dilatation_term;
+    return make(mesh, block, pattern, law, points);
+  }
+  const bool enhanced = formulation == Formulation::Enhanced && !is_enriched(block.type);
+  return (enhanced ? make_enhanced_term : make_standard_term)(mesh, block, pattern, law, points);
 }
 
 }  // namespace ixos
