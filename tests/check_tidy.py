@@ -19,15 +19,18 @@ import math
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
+import tempfile
 import time
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "structure"))
+from compile_commands import read_commands  # noqa: E402
 from content_hash import PassedChecks, hash_contents  # noqa: E402
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
 
 def dependencies(build):
@@ -81,11 +84,11 @@ def read_part(text):
     return int(match[1]), int(match[2])
 
 
-def tidy(source, build, end):
+def tidy(source, commands, end):
     """Returns whether a source is clean, and what clang-tidy says. The first is None if the time has come to an end."""
     if time.monotonic() > end:
         return None, ""
-    done = subprocess.run(["clang-tidy", "-p", build, "--quiet", source], capture_output=True, text=True)
+    done = subprocess.run(["clang-tidy", "-p", commands, "--quiet", source], capture_output=True, text=True)
     return done.returncode == 0 and "warning:" not in done.stdout, done.stdout
 
 
@@ -104,19 +107,15 @@ def main():
         changed = None
     build = os.path.abspath(options.build)
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
-    with open(os.path.join(build, "compile_commands.json")) as file:
-        commands = json.load(file)
+    folders = (ROOT + "/lib/", ROOT + "/drivers/")
+    commands = [command for command in read_commands(build) if str(command.source).startswith(folders)]
     seen = dependencies(build)
     passed = PassedChecks("ixos-tidy")
     states, read = {}, {}
-    for entry in commands:
-        source = os.path.normpath(os.path.join(entry["directory"], entry["file"]))
-        if not source.startswith((ROOT + "/lib/", ROOT + "/drivers/")):
-            continue
-        # The object's path is what the compile command writes.
-        words = entry["command"].split()
-        files = seen.get(words[words.index("-o") + 1], [])
-        states[source] = key(source, entry["command"], files, version)
+    for command in commands:
+        source = str(command.source)
+        files = seen.get(command.after("-o"), [])  # the object's path is what the command writes
+        states[source] = key(source, shlex.join(command.words), files, version)
         read[source] = files
     chosen = read if changed is None else covering(read, changed)
     part, parts = options.part
@@ -124,8 +123,10 @@ def main():
             if options.all or not read[source] or states[source] not in passed]
     print("clang-tidy on %d of the sources of lib and drivers" % len(todo), flush=True)
     clean, left_out = True, 0
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for (source, state), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], build, end), todo)):
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool, tempfile.TemporaryDirectory() as folder:
+        with open(os.path.join(folder, "compile_commands.json"), "w") as file:
+            json.dump([command.as_entry() for command in commands], file)
+        for (source, state), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], folder, end), todo)):
             if good is None:
                 left_out += 1
             elif good:

@@ -14,14 +14,13 @@ exit status is 1 if a header does not compile.
 """
 import argparse
 import concurrent.futures
-import json
 import os
 import pathlib
-import shlex
 import subprocess
 import sys
 
 sys.dont_write_bytecode = True
+from compile_commands import read_commands  # noqa: E402
 from content_hash import PassedChecks, hash_contents  # noqa: E402
 from includes import (LIB, ROOT, collect_headers, is_header_of_lib, list_files, read_includes,  # noqa: E402
                       read_stable_names)
@@ -34,20 +33,18 @@ ENVIRONMENT = {**os.environ, "LC_ALL": "C"}  # errors in English, so that they c
 def read_command(build, installed):
     """Returns the compiler with the flags of the sources of lib, or of all sources of a program that uses an installed
     Ixos, and the folder where the build runs it."""
-    with open(build / "compile_commands.json", encoding="utf-8") as file:
-        entries = [e for e in json.load(file)
-                   if installed or LIB in (pathlib.Path(e["directory"]) / e["file"]).resolve().parents]
-    if not entries:
+    commands = [command for command in read_commands(build) if installed or LIB in command.source.parents]
+    if not commands:
         sys.exit(f"{build}/compile_commands.json names no source of lib: configure the build with CMake again")
     # Those of ixos_solvers see fewer folders.
-    entries = [e for e in entries if "/ixos.dir/" in e["command"]] or entries
+    commands = [command for command in commands if "/ixos.dir/" in command.after("-o")] or commands
     # The shortest command belongs to a source without additional flags.
-    entry = min(entries, key=lambda e: len(shlex.split(e["command"])))
-    words = shlex.split(entry["command"])
+    command = min(commands, key=lambda command: len(command.words))
+    words = list(command.words)
     for option in ("-o", "-c"):
         at = words.index(option)
         del words[at:at + 2]
-    return words, entry["directory"]
+    return words, command.folder
 
 
 def list_first_headers():
