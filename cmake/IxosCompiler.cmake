@@ -1,8 +1,9 @@
 # Compiler launcher, linker, warnings, instruction set and sanitizers, as one interface target: ixos_options.
 find_program(IXOS_CCACHE ccache)
 if(IXOS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # This setting lets it serve sources with a precompiled header. See ccache(1), "Precompiled headers".
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${IXOS_CCACHE})
+  # The first two let it serve sources with a precompiled header: see ccache(1), "Precompiled headers". The third serves a
+  # clean root with another language of messages.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,locale ${IXOS_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${IXOS_CCACHE})
 endif()
 
