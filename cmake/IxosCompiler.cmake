@@ -39,3 +39,20 @@ find_program(IXOS_LLD ld.lld)
 if(IXOS_LLD)
   target_link_options(ixos_options INTERFACE -fuse-ld=lld)
 endif()
+
+# ixos_precompile(target [headers...] | target REUSE_FROM other): g++ reads once, for all sources of the target, the headers
+# of other projects that most of them include: a source includes them all the same, because other compilers, clang-tidy
+# and structure.headers do without.
+function(ixos_precompile target)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    return()
+  endif()
+  target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
+  if("${ARGV1}" STREQUAL REUSE_FROM)
+    target_precompile_headers(${target} REUSE_FROM ${ARGV2})
+  else()
+    target_precompile_headers(${target} PRIVATE
+      <algorithm> <array> <cmath> <experimental/simd> <functional> <limits> <map> <memory> <optional> <set> <stdexcept> <string>
+      <utility> <vector> <fmt/format.h> <Teuchos_Array.hpp> <Teuchos_Comm.hpp> <Teuchos_ParameterList.hpp> ${ARGN})
+  endif()
+endfunction()
