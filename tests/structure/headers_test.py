@@ -37,7 +37,7 @@ def read_command(build, installed):
     if not commands:
         sys.exit(f"{build}/compile_commands.json names no source of lib: configure the build with CMake again")
     # Those of ixos_solvers see fewer folders.
-    commands = [command for command in commands if "/ixos.dir/" in command.after("-o")] or commands
+    commands = [command for command in commands if "/ixos_others.dir/" in command.after("-o")] or commands
     # The shortest command belongs to a source without additional flags.
     command = min(commands, key=lambda command: len(command.words))
     words = list(command.words)
