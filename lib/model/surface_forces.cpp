@@ -35,6 +35,12 @@ std::optional<Refusal> refusal_of_forces(const SurfaceForces& forces) {
     return Refusal{"Step Margin", fmt::format("{}", forces.margin), "must be greater than 0 and less than 1"};
   if (std::string why = why_no_cutoff(*forces.law, forces.cutoff); !why.empty())
     return Refusal{"Cutoff", fmt::format("{}", forces.cutoff), std::move(why)};
+  const Friction& friction = forces.friction;
+  if (friction.type == FrictionType::ConstantStress && friction.current && friction.sharpness == 0)
+    return Refusal{"Friction/Threshold", "\"Current\"",
+                   "with the Type \"Constant Stress\" and the Sharpness 0: the traction would jump within a step where "
+                   "the gap passes g_cut, and Newton's method fails there; use \"Lagged\", or a Sharpness greater than "
+                   "0"};
   return std::nullopt;
 }
 

@@ -32,7 +32,7 @@ struct SurfaceForces {
 
 /// Returns what is not allowed of the settings that all interactions have; nothing if all are allowed: a law that is
 /// missing, numbers out of range, a cutoff that is neither 0 nor beyond the law's adhesion gap, or within the range of
-/// a law with a history.
+/// a law with a history, and friction whose traction would jump within a step.
 std::optional<Refusal> refusal_of_forces(const SurfaceForces& forces);
 
 }  // namespace ixos

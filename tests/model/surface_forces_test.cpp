@@ -46,5 +46,18 @@ TEST(SurfaceForcesTest, TheFirstSettingThatIsNotAllowedIsNamed) {
   }
 }
 
+TEST(SurfaceForcesTest, FrictionWhoseTractionJumpsWithinAStepIsRefused) {
+  SurfaceForces forces;
+  forces.law = make_gap_law("Van der Waals");
+  forces.friction.type = FrictionType::ConstantStress;
+  forces.friction.current = true;
+  EXPECT_EQ(refusal_of_forces(forces)->in_words().find("Friction/Threshold \"Current\" with the Type"), 0U);
+  forces.friction.sharpness = 20;
+  EXPECT_FALSE(refusal_of_forces(forces));
+  forces.friction.sharpness = 0;
+  forces.friction.current = false;
+  EXPECT_FALSE(refusal_of_forces(forces));
+}
+
 }  // namespace
 }  // namespace ixos

@@ -152,19 +152,10 @@ void add_interaction(const SceneInteraction& interaction, const Histories& histo
 void check(const SceneInteraction& own) {
   if (const auto refusal = own.is_pair() ? refusal_of(own) : refusal_of_forces(own))
     own.node.refuse_value(refusal->setting, refusal->value, refusal->why);
-  if (own.is_pair() && !own.factor_field.empty() && own.passes != Passes::One)
-    own.node.refuse_value("Passes", "", "is not there with a Factor Field; use \"One\"");
   if (own.is_pair() && !own.motion.histories().empty())
     own.node.refuse("Motion", "moves an obstacle, and an interaction with a Primary Side Set has none; leave it empty");
-  const Friction& friction = own.friction;
-  if (friction.type == FrictionType::None) return;
-  if (friction.type == FrictionType::ConstantStress && friction.current && friction.sharpness == 0)
-    own.node.refuse(
-        "Friction/Threshold",
-        "\"Current\" with the Type \"Constant Stress\" and the Sharpness 0: the traction would jump within a "
-        "step where the gap passes g_cut, and Newton's method fails there; use \"Lagged\", or a Sharpness "
-        "greater than 0");
-  at(own.node.path_of("Friction/Type"), [&] { FrictionLaw(friction, own.law); });
+  if (own.friction.type != FrictionType::None)
+    at(own.node.path_of("Friction/Type"), [&] { FrictionLaw(own.friction, own.law); });
 }
 
 }  // namespace
