@@ -91,6 +91,7 @@ class AreaFactorLaw final : public GapLaw {
   double adhesion_gap() const override { return law_->adhesion_gap(); }
   double range() const override { return law_->range(); }
   bool has_history() const override { return false; }
+  bool bonds_later() const override { return law_->bonds_later(); }
   std::vector<GapPower> powers() const override { return {}; }
   std::shared_ptr<const GapLaw> cut_off(double range) const override {
     return with_area_factor(law_->cut_off(range), factor_);
