@@ -37,17 +37,24 @@ CellInfo info_of(std::string_view name) {
           Traits::gmsh};
 }
 
-}  // namespace
-
-const std::vector<CellInfo>& cell_infos() {
-  static const std::vector<CellInfo> all = {
+std::vector<CellInfo> make_infos() {
+  return {
 #define IXOS_CELL(Element) info_of<Element>(#Element),
 #include "fem/cells.def"
   };
+}
+
+/// Apart from make_infos(), so that a call, of which a mesh makes many, costs nothing of it.
+inline const std::vector<CellInfo>& infos() {
+  static const std::vector<CellInfo> all = make_infos();
   return all;
 }
 
-const CellInfo& cell_info(CellType type) { return cell_infos().at(static_cast<std::size_t>(type)); }
+}  // namespace
+
+const std::vector<CellInfo>& cell_infos() { return infos(); }
+
+const CellInfo& cell_info(CellType type) { return infos().at(static_cast<std::size_t>(type)); }
 
 namespace {
 
