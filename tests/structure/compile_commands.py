@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Command(NamedTuple):
-    """A source, the words of its command, without precompiled headers, and the folder where the build runs it."""
+    """A source, the words of its command, less those that only g++ knows, and the folder where the build runs it."""
     source: pathlib.Path
     words: list
     folder: str
@@ -20,14 +20,14 @@ class Command(NamedTuple):
         return {"directory": self.folder, "command": shlex.join(self.words), "file": str(self.source)}
 
 
-def without_precompiled(words):
-    """Returns the words less those that make g++ read precompiled headers, which can hide that a file does not include
-    what it needs, and which other compilers do not know."""
+def for_any_compiler(words):
+    """Returns the words less those that only g++ knows: precompiled headers, which can hide that a file does not include
+    what it needs, and widths of copies."""
     kept = []
     for word in words:
         if word.endswith("/cmake_pch.hxx") and kept[-1:] == ["-include"]:
             kept.pop()
-        elif word not in ("-fpch-preprocess", "-Winvalid-pch"):
+        elif not word.startswith(("-fpch-preprocess", "-Winvalid-pch", "-mmove-max=", "-mstore-max=")):
             kept.append(word)
     return kept
 
@@ -36,5 +36,5 @@ def read_commands(build):
     """Returns the commands of a build's compile_commands.json."""
     with open(pathlib.Path(build) / "compile_commands.json", encoding="utf-8") as file:
         return [Command((pathlib.Path(entry["directory"]) / entry["file"]).resolve(),
-                        without_precompiled(shlex.split(entry["command"])), entry["directory"])
+                        for_any_compiler(shlex.split(entry["command"])), entry["directory"])
                 for entry in json.load(file)]
