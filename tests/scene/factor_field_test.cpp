@@ -132,6 +132,10 @@ TEST(FactorFieldTest, UnsoundFieldsAreRefused) {
   test::expect_contains(refusal(from_file(), "strenth"),
                         "Interactions/Wall/Factor Field: " + file +
                             ": nodal field \"strenth\" does not exist; did you mean \"strength\"?");
+  const std::string pair = word("Primary Side Set", "top") + word("Passes", "Two");
+  test::expect_contains(
+      test::refusal([&] { Simulation(scene(from_file(), word("Factor Field", "strength") + pair), test::world()); }),
+      "Interactions/Wall/Passes: \"Two\" is not there with a factor");
   const std::string box = list("Mesh", word("Type", "Box") + list("Box", numbers("Lower", {0, 0.4})));
   test::expect_contains(refusal(box, "strength"), "Interactions/Wall/Factor Field");
   test::expect_contains(refusal(box, "strength"), "is a field of an Exodus file, but Mesh/Type is Box");

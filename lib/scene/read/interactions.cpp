@@ -150,7 +150,9 @@ void add_interaction(const SceneInteraction& interaction, const Histories& histo
 
 /// Refuses what the model would refuse, with the place.
 void check(const SceneInteraction& own) {
-  if (const auto refusal = own.is_pair() ? refusal_of(own) : refusal_of_forces(own))
+  SurfacePair forces = own;
+  if (!own.factor_field.empty()) forces.nodal_factor = {1};  // its file is read later; that there is a factor counts
+  if (const auto refusal = own.is_pair() ? refusal_of(forces) : refusal_of_forces(forces))
     own.node.refuse_value(refusal->setting, refusal->value, refusal->why);
   if (own.is_pair() && !own.motion.histories().empty())
     own.node.refuse("Motion", "moves an obstacle, and an interaction with a Primary Side Set has none; leave it empty");
