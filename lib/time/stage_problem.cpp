@@ -116,23 +116,26 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
-  // If the last residual was at this start, a rule with equal weights at both ends has its kept part there already, to
-  // the last bit: the weights are 1/2. Obstacles that have moved and histories that have grown change it.
+  // If the last residual was at this start, its forces are there already. Obstacles that have moved and histories that
+  // have grown change them.
   const bool have_end =
       at_u_.forces_of == stage_ && u_ == known[0].u && !has_moved_obstacles(model_) && !has_histories(model_);
   const auto keep = [&](Part part, const Rule& rule) {
     if (rule.kept_weight == 0) return;
-    const std::vector<double>& force = balance_.force(part);
-    if (have_end && rule.points.size() == 1 && rule.points[0].to == 1 && rule.points[0].weight == rule.kept_weight) {
-      for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += force[i];
-      return;
+    // A rule with equal weights at both ends has its kept part as the force of its own point, to the last bit: no other
+    // function repeats the rounding of the step before, from which a restart must not differ.
+    const bool has_kept = rule.mean == Mean::Points && rule.points.size() == 1 &&
+                          rule.points[0].weight == rule.kept_weight && rule.points[0].to == 1 && !rule.uses_start() &&
+                          !rule.uses_velocity();
+    if (!have_end || !has_kept) {
+      Segment start = segment_at(start_->place());
+      start.step = step_;
+      admissible = balance_.evaluate(part, start, has_kept ? rule : end_rule(), kept_points()) && admissible;
+      at_u_ = {};
     }
-    Segment start = segment_at(start_->place());
-    start.step = step_;
-    // By the same function as in a step, whose rounding other ones do not repeat.
-    admissible = balance_.evaluate(part, start, end_rule(), kept_points()) && admissible;
-    at_u_ = {};
-    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
+    const std::vector<double>& force = balance_.force(part);
+    const double weight = has_kept ? 1 : rule.kept_weight;
+    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += weight * force[i];
   };
   keep(Part::Elastic, stage_->elastic);
   if (model_.has_interactions()) keep(Part::Interaction, stage_->interaction);

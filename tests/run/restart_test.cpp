@@ -35,6 +35,19 @@ TEST_F(RestartTest, EveryLawObstacleAndMaterialGoesOnToTheLastBit) {
   }
 }
 
+TEST_F(RestartTest, EveryElasticLawGoesOnToTheLastBit) {
+  // These schemes weigh both ends of a step alike, and take over forces of the step before.
+  for (const std::string& scheme :
+       {word("Type", "Gautam-Sauer Composite"),
+        word("Type", "Generalized-Alpha") + list("Generalized-Alpha", number("Spectral Radius", 1))})
+    for (const char* law : {"Neo-Hooke", "Linear Elastic", "Saint Venant-Kirchhoff", "Mooney-Rivlin", "Yeoh", "Gent"}) {
+      SCOPED_TRACE(law + (", " + scheme));
+      std::string scene = drawn(scheme + steps(0.02, 0.6), checkpoints(15, 100));
+      scene.insert(scene.find(number("Density", 1)), word("Model", law));
+      expect_goes_on(scene, {15});
+    }
+}
+
 /// The names and messages of a run's warnings.
 std::vector<std::string> warnings_of(const RunResult& result) {
   std::vector<std::string> all;
