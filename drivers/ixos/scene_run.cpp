@@ -14,10 +14,13 @@
 namespace ixos {
 namespace {
 
-/// Returns the command that resumes from a checkpoint.
-std::string restart_command(const Arguments& arguments, const std::string& checkpoint) {
+/// Returns the command that resumes from a checkpoint, perhaps with another setting.
+std::string restart_command(const Arguments& arguments, const std::string& checkpoint, const std::string& other = "") {
   std::string command = "ixos " + shell_word(arguments.scene);
-  for (const std::string& assignment : arguments.assignments) command += " --set " + shell_word(assignment);
+  const std::string path = other.substr(0, other.find('=') + 1);
+  for (const std::string& assignment : arguments.assignments)
+    if (path.empty() || assignment.rfind(path, 0) != 0) command += " --set " + shell_word(assignment);
+  if (!other.empty()) command += " --set " + shell_word(other);
   if (!arguments.output.empty()) command += " --output " + shell_word(arguments.output);
   return command + " --restart " + shell_word(checkpoint);
 }
@@ -86,8 +89,16 @@ int report_end(const RunResult& result, const Arguments& arguments, const Comm& 
   if (comm->getRank() == 0) {
     console::complain("ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
                       result.end_time, result.steps, result.reason, folder);
-    if (!result.checkpoint.empty())
+    if (result.checkpoint.empty()) {
+      for (const Remedy& remedy : result.remedies)
+        console::complain("ixos: {} may help: --set {}\n", remedy.what, shell_word(remedy.assignment));
+    } else if (result.remedies.empty()) {
       console::complain("ixos: to resume: {}\n", printable(restart_command(arguments, result.checkpoint)));
+    } else {
+      for (const Remedy& remedy : result.remedies)
+        console::complain("ixos: to resume with {}: {}\n", remedy.what,
+                          printable(restart_command(arguments, result.checkpoint, remedy.assignment)));
+    }
   }
   return result.status == RunStatus::Diverged ? 3 : 5;
 }

@@ -4,14 +4,21 @@
 
 namespace ixos {
 
-void JumpWatch::row(double time, double balance, double external_work) {
+Jump JumpWatch::row(double time, double balance, double external_work, double largest_energy) {
+  constexpr double least_share = 1e-3;
+  Jump found;
   const double released = balance_ - balance;
   const bool falls = balance + external_work < balance_ + work_;
-  if (falls && released > largest_.released && released > 0.5 * std::abs(external_work - work_))
-    largest_ = {released, time_, time};
+  if (falls && released > 0.5 * std::abs(external_work - work_) && released > least_share * largest_energy) {
+    found = {released, time_, time};
+    ++jumps_.count;
+    jumps_.released += released;
+    if (released > jumps_.largest.released) jumps_.largest = found;
+  }
   time_ = time;
   balance_ = balance;
   work_ = external_work;
+  return found;
 }
 
 void JumpWatch::transfer(Record& record) {
@@ -23,9 +30,13 @@ void JumpWatch::transfer(Record& record) {
   record.number("balance", balance);
   balance_ = known && (!record.loading() || record.same_scene()) ? balance : none;  // others have other energies
   record.number("work", work_);
-  record.number("released", largest_.released);
-  record.number("from", largest_.from);
-  record.number("to", largest_.to);
+  record.number("released", jumps_.largest.released);
+  record.number("from", jumps_.largest.from);
+  record.number("to", jumps_.largest.to);
+  if (record.loading() && !record.has_section("all")) return;  // of 0.2.0
+  const Record::Section all(record, "all");
+  record.number("count", jumps_.count);
+  record.number("released", jumps_.released);
 }
 
 }  // namespace ixos

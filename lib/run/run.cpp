@@ -66,6 +66,7 @@ class Run {
   void go_on();
   void resume_files();
   void warn_of_jump();
+  void tell_of_jump() const;
   bool interlude();
   void step();
   void end();
@@ -154,6 +155,7 @@ void Run::take_over(Run& before) {
   } catch (const FileError& error) {
     throw FileError(before.with_position(error.what()));
   }
+  measures_.go_on_from(before.measures_);
   checkpoints_.resume(result_.steps);
   resumed_from_ = checkpoints_.newest();  // of another simulation: the watch does not go back there
   measures_.row(files_.history());
@@ -218,6 +220,17 @@ void Run::warn_of_jump() {
   result_.warnings.push_back({"jump at the restart", jump});
 }
 
+/// Tells of the jump before the last row to another equilibrium. The end of the run counts them all.
+void Run::tell_of_jump() const {
+  constexpr long told = 3;
+  const Jump& jump = measures_.jump();
+  if (jump.released > 0 && measures_.jumps().count <= told)
+    log(
+        fmt::format("The body jumped to another equilibrium between t = {:.6g} and {:.6g} T0, and released {:.3g} "
+                    "E0 L0^D.",
+                    jump.from, jump.to, jump.released));
+}
+
 /// Verifies the existing files, then continues them. Changes nothing if one does not match the checkpoint.
 void Run::resume_files() {
   files_.verify();
@@ -257,7 +270,9 @@ void Run::step() {
   if (!step.converged) {
     ++result_.rejected_steps;
     if (step.crossed) measures_.crossed();
-    if (!control_.cut(dt)) fail(step.reason + hints(step));
+    if (control_.cut(dt)) return;
+    fail(step.reason + hints(step));
+    result_.remedies = remedies(simulation_);
     return;
   }
   if (times_.adaptive.on && !judge_step(integrator_, times_.adaptive, dt, control_)) {
@@ -272,7 +287,10 @@ void Run::step() {
   stop(stop_.reason(simulation_.model(), integrator_.state()));
   files_.record(result_.steps, dt, before);
   measures_.step(result_.steps, dt);
-  if (files_.recorded()) measures_.row(files_.history());
+  if (files_.recorded()) {
+    measures_.row(files_.history());
+    tell_of_jump();
+  }
   if (!watch_energy()) observe(seconds);
 }
 
@@ -357,6 +375,7 @@ void Run::end() {
   result_.max_forces = files_.history().max_forces();
   result_.contacts = files_.history().contacts().times();
   result_.checkpoint = checkpoints_.newest();
+  result_.jumps = measures_.jumps();
   result_.phase_seconds = clock_.phases();
   add_findings(run_warnings(measures_.finish(files_.history())));
   write_summary(simulation_, result_, options_.folder + "/summary.json");

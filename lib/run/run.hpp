@@ -10,6 +10,8 @@
 #include "base/warning.hpp"
 #include "checkpoint/program_state.hpp"
 #include "run/contact_events.hpp"
+#include "run/jump_watch.hpp"
+#include "run/remedies.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -59,6 +61,7 @@ enum class RunStatus { Completed, Stopped, Diverged, Interrupted };
 struct RunResult {
   RunStatus status = RunStatus::Completed;
   std::string reason;
+  std::vector<Remedy> remedies{};  ///< of a step that failed
   long steps = 0;
   long rejected_steps = 0;  ///< that failed, and were cut where that is allowed
   double end_time = 0;
@@ -70,6 +73,7 @@ struct RunResult {
   double largest_energy = 0;                               ///< see History::largest_energy
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
   std::vector<ContactTimes> contacts;                      ///< see History::contacts
+  JumpSums jumps{};                                        ///< to other equilibria, of a quasi-static run
   PhaseSeconds phase_seconds{};                            ///< of rank 0
   std::string checkpoint;                                  ///< the newest one's path, or nothing
   std::vector<Warning> warnings;                           ///< that RunOptions::warn was told

@@ -63,8 +63,9 @@ void RunMeasures::row(const History& history) {
   const Integrator& integrator = simulation_.integrator();
   contact_.row(integrator.time(), history.contact_measure(), history.forces());
   // The first state is no equilibrium: constant loads and motions act at once.
+  jump_ = {};
   if (is_static(integrator.table()) && steps_ > 0)
-    jumps_.row(integrator.time(), history.balance(), integrator.external_work());
+    jump_ = jumps_.row(integrator.time(), history.balance(), integrator.external_work(), history.largest_energy());
   front_.row(steps_, history.contact_measure());
   for (const FrictionReport& report : history.friction_reports()) {
     friction_work_ += report.work;
@@ -87,7 +88,7 @@ RunFacts RunMeasures::finish(const History& history) {
   facts.largest_measure = contact_.largest_measure();
   facts.face_measure = face_measure_;
   facts.ripple = contact_.ripple();
-  facts.jump = jumps_.largest();
+  facts.jumps = jumps_.jumps();
   facts.friction_lag = friction_work_ > 0 ? friction_lag_ / friction_work_ : 0;
   facts.front = front_.front();
   facts.relaxation_error = relaxation_.share();

@@ -19,6 +19,11 @@ class RunMeasures {
   void step(long steps, double dt);
   /// Takes part in a recorded row of the present state, the first and the last one included.
   void row(const History& history);
+  /// Counts on from the jumps of another simulation's part of the run.
+  void go_on_from(const RunMeasures& before) { jumps_.go_on_from(before.jumps()); }
+  /// Returns the jump of a quasi-static run before the last row, and all jumps so far.
+  const Jump& jump() const { return jump_; }
+  const JumpSums& jumps() const { return jumps_.jumps(); }
   /// Takes part in a step that was rejected because a surface crossed its obstacle.
   void crossed() { ++crossings_; }
   /// Looks at the last state, and returns the facts of the whole run.
@@ -34,6 +39,7 @@ class RunMeasures {
   StrainWatch strains_;
   ContactWatch contact_;
   JumpWatch jumps_;  ///< takes part in quasi-static runs
+  Jump jump_;
   FrontWatch front_;
   RelaxationWatch relaxation_;
   long interval_;     ///< steps between looks at cells, which so cost less than 1 % of the run

@@ -96,13 +96,18 @@ Message detachment_between_outputs(const Facts& facts) {
 
 Message jump_to_another_equilibrium(const Facts& facts) {
   constexpr double limit = 0.02;
-  const double share = facts.jump.released / facts.largest_energy;
+  const Jump& jump = facts.jumps.largest;
+  const double share = jump.released / facts.largest_energy;
   if (facts.has_inertia || !(share > limit)) return "";
+  const std::string all = facts.jumps.count > 1 ? fmt::format(", the largest of {} jumps, which released {:.3g}",
+                                                              facts.jumps.count, facts.jumps.released)
+                                                : "";
   return fmt::format(
       "between t = {:.6g} and {:.6g} T0 the body jumped to another equilibrium and released {:.3g} E0 L0^D, {:.0f} % "
-      "of the largest energy (limit {:.0f} %): the states on both sides are equilibria, the way between them is none; "
-      "a dynamic scheme shows it",
-      facts.jump.from, facts.jump.to, facts.jump.released, 100 * share, 100 * limit);
+      "of the largest energy (limit {:.0f} %){}: the states on both sides are equilibria, the way between them is "
+      "none, "
+      "and there may be other equilibria than the one found; a dynamic scheme shows the way",
+      jump.from, jump.to, jump.released, 100 * share, 100 * limit, all);
 }
 
 /// Returns how many times shorter steps have to be for an error of that order to be 1 %.

@@ -24,7 +24,7 @@ struct RunFacts {
   double largest_measure = 0;  ///< of contact [L0^(D-1)]
   double face_measure = 0;     ///< of the finest surface [L0^(D-1)]; 0: there is none
   Ripple ripple{};
-  Jump jump{};              ///< of a quasi-static run
+  JumpSums jumps{};         ///< of a quasi-static run
   double friction_lag = 0;  ///< mean change of the threshold in a step over the threshold, by the work of friction
   FrontSteps front{};
   double relaxation_error = 0;  ///< see RelaxationWatch::share()

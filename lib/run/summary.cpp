@@ -78,6 +78,12 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
     json["dissipated"][model.dissipation_names()[i]] = dissipations[i];
   if (const double before = simulation.integrator().dissipated_before(); before != 0)
     json["dissipated"]["before the restart"] = before;
+  if (result.jumps.count > 0) {
+    const Jump& largest = result.jumps.largest;
+    json["jumps"] = {{"count", result.jumps.count},
+                     {"released", result.jumps.released},
+                     {"largest", {{"released", largest.released}, {"from", largest.from}, {"to", largest.to}}}};
+  }
   json["warnings"] = nlohmann::ordered_json::array();
   for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings, &result.findings})
     for (const Warning& warning : *warnings)

@@ -53,6 +53,7 @@ class StageProblem final : public NonlinearProblem {
   double convergence_bound(double relative_tolerance) const override;
   /// Returns the largest of those four norms at the last x that residual() saw.
   double force_scale() const { return scale_; }
+  bool is_lost() const override { return lost_; }
   bool is_gradient() const override { return has_potential_ && !moving_; }
   bool has_kinks() const override { return !has_potential_ && !moving_ && has_friction(model_); }
   double way_left(const Vector& x) override;
@@ -107,6 +108,7 @@ class StageProblem final : public NonlinearProblem {
   double load_norm_ = 0;
   double scale_ = 0;     ///< largest of the four norms at the last residual
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual
+  bool lost_ = false;    ///< u is beyond reach_ at the last residual
   int relaxation_ = 0;
 
   Balance balance_;

@@ -1,9 +1,14 @@
 #include "run/run_warnings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "interaction/catalogue.hpp"
+#include "interaction/gap_law.hpp"
 #include "run/restart_fixture.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
@@ -156,10 +161,10 @@ TEST_F(RunMeasuresTest, StepsThatDoNotResolveRelaxationAreToldOf) {
 }
 
 /// A block of that height whose top is pulled off the wall, by 2 within the time 1.
-std::string lifted_off(double height, const std::string& shape, double step) {
+std::string lifted_off(double height, const std::string& shape, double step, const std::string& material = "") {
   return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {4, height}) + counts("Divisions", {4, 8}) +
                                                             numbers("Lower", {0, 0.2547093}))) +
-         list("Materials", list("Rubber", "")) + list("Interactions", list("Wall", word("Side Set", "bottom"))) +
+         list("Materials", list("Rubber", material)) + list("Interactions", list("Wall", word("Side Set", "bottom"))) +
          list("Histories", list("Up", word("Type", "Ramp") + list("Ramp", number("Value", 2) + number("Length", 1) +
                                                                               word("Shape", shape)))) +
          list("Boundary Conditions",
@@ -182,6 +187,40 @@ TEST_F(RunMeasuresTest, ASnapToAnotherEquilibriumIsToldOf) {
     EXPECT_EQ(stays.status, RunStatus::Completed) << stays.reason;
     EXPECT_FALSE(has(stays, jump)) << step;
   }
+}
+
+// A block of height h without lateral strain is a spring of stiffness E/h an area: in one dimension its equilibria at
+// the gap g under the lift U are the roots of T(g) + E/h (U - g + g0), and its energy is psi(g) + E/2h (U - g + g0)^2.
+TEST_F(RunMeasuresTest, ASnapReleasesTheDifferenceOfTheEnergies) {
+  constexpr double height = 12, width = 4, start = 0.2547093, step = 0.01, lift = 2 * step;
+  const auto law = make_gap_law("Van der Waals");
+  const auto force = [&](double g, double up) { return law->traction(g)[0] + (up - g + start) / height; };
+  const auto energy = [&](double g, double up) {
+    return law->energy(g)[0] + (up - g + start) * (up - g + start) / (2 * height);
+  };
+  double g = law->equilibrium_gap(), released = 0, up = 0;
+  while (released == 0) {
+    const double before = g;
+    up += lift;
+    double below = before, above = before;
+    while (force(above, up) > 0) below = std::exchange(above, above + 1e-4);
+    while (above - below > 1e-14) (force((above + below) / 2, up) > 0 ? below : above) = (above + below) / 2;
+    g = above;
+    const double work = lift * ((up - lift - before + start) + (up - g + start)) / (2 * height);
+    if (g - before > 0.1) released = width * (energy(before, up - lift) + work - energy(g, up));
+  }
+  told_.clear();
+  const RunResult result = run_scene(
+      lifted_off(height, "Linear", step, word("Model", "Linear Elastic") + number("Poisson's Ratio", 0)), "lifted");
+  EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+  EXPECT_EQ(result.jumps.count, 1);
+  EXPECT_NEAR(result.jumps.released, released, 1e-6 * released);
+  EXPECT_NEAR(result.jumps.largest.to, up / 2, 1e-12);
+  if (world()->getRank() == 0) expect_contains(told_, fmt::format("T0, and released {:.3g} E0 L0^D.", released));
+  on_first([&] {
+    std::ifstream file(folder("lifted") + "/summary.json");
+    EXPECT_EQ(nlohmann::json::parse(file).at("jumps").at("count"), 1);
+  });
 }
 
 TEST_F(RunMeasuresTest, ALoadThatActsAtOnceIsNoJump) {

@@ -49,6 +49,26 @@ class ForceTest final : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
+/// The test that the iterate is lost, see NonlinearProblem::is_lost().
+class LostTest final : public NOX::StatusTest::Generic {
+ public:
+  explicit LostTest(const NonlinearProblem& problem) : problem_(problem) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic&, NOX::StatusTest::CheckType) override {
+    status_ = problem_.is_lost() ? NOX::StatusTest::Failed : NOX::StatusTest::Unconverged;
+    return status_;
+  }
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int indent) const override {
+    for (int i = 0; i < indent; ++i) stream << ' ';
+    return stream << status_ << "the iterate is within reach\n";
+  }
+
+ private:
+  const NonlinearProblem& problem_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
 /// NOX ignores lists that it does not know.
 void check_names(const Teuchos::ParameterList& list) {
   const std::vector<std::string> known{"Nonlinear Solver", "Printing",     "Direction",   "Line Search",
@@ -105,17 +125,19 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
 struct NewtonSolver::Implementation {
   Implementation(NonlinearProblem& given, const LinearSolverFactory& linear_solver, const NewtonOptions& options)
       : problem(given),
-        maximum_iterations(options.maximum_iterations),
+        maximum_iterations(options.maximum_iterations > 0 ? options.maximum_iterations : 100),
         corrects(options.corrects),
         linear(linear_solver.strategy()),
         evaluator(Teuchos::rcp(new ProblemEvaluator(given, linear))),
         guess(Thyra::createMember(evaluator->get_x_space())),
         force(Teuchos::rcp(new ForceTest(given, options.tolerance))),
+        lost(Teuchos::rcp(new LostTest(given))),
         tests(Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR))),
         list(nox_list(given, options)) {
     tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::FiniteValue));
     tests->addStatusTest(force);
-    tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(options.maximum_iterations)));
+    tests->addStatusTest(lost);
+    tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(maximum_iterations)));
   }
 
   /// Reads NOX's list; evaluates nothing.
@@ -132,7 +154,10 @@ struct NewtonSolver::Implementation {
     result.iterations = solver->getNumIterations();
     result.converged = status == NOX::StatusTest::Converged;
     if (!result.converged) {
-      result.reason = result.iterations >= maximum_iterations
+      result.reason = lost->getStatus() == NOX::StatusTest::Failed
+                          ? fmt::format("after {} iterations the body is farther away than any equilibrium can be",
+                                        result.iterations)
+                      : result.iterations >= maximum_iterations
                           ? fmt::format("Newton's iteration did not converge in {} iterations ({})", result.iterations,
                                         force->describe())
                           : fmt::format(
@@ -179,6 +204,7 @@ struct NewtonSolver::Implementation {
   Teuchos::RCP<ProblemEvaluator> evaluator;
   Teuchos::RCP<Thyra::VectorBase<double>> guess;
   Teuchos::RCP<ForceTest> force;
+  Teuchos::RCP<LostTest> lost;
   Teuchos::RCP<NOX::StatusTest::Combo> tests;
   Teuchos::RCP<Teuchos::ParameterList> list;
   Teuchos::RCP<NOX::Solver::Generic> solver;

@@ -29,6 +29,8 @@ class NonlinearProblem {
   /// Returns the bound of the norm |f| for convergence at the last x that residual() saw, given the relative tolerance.
   virtual double convergence_bound(double relative_tolerance) const = 0;
 
+  /// Returns whether the last x that residual() saw is farther than any solution can be.
+  virtual bool is_lost() const { return false; }
   /// Returns whether f, at the last x that residual() saw, is the gradient of potential(). It is not until the
   /// prescribed values are reached.
   virtual bool is_gradient() const { return false; }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/scratch.hpp"
+#include "interaction/friction_law.hpp"
 #include "interaction/friction_step.hpp"
 #include "interaction/obstacle.hpp"
 #include "state/history.hpp"

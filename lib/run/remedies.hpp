@@ -1,0 +1,20 @@
+/// Other settings for a run whose step failed.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/simulation.hpp"
+
+namespace ixos {
+
+/// A setting with which a failed run may go on from its last state.
+struct Remedy {
+  std::string what;        ///< in words: "shorter steps"
+  std::string assignment;  ///< as of --set: "Time Integrator/Time Step Control/Maximum Cuts=10"
+};
+
+/// Returns what differs from the present settings and may help, the most likely one first; nothing of an adaptive run
+/// with inertia, which has cut its steps already.
+std::vector<Remedy> remedies(const Simulation& simulation);
+
+}  // namespace ixos
