@@ -22,6 +22,7 @@ namespace {
 const char* const examples =
     "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
     "  ixos xml/ball.xml --check                  check the scene\n"
+    "  ixos xml/ball.xml --try                    take a few steps, and say how long the run would take\n"
     "  ixos xml/ball.xml --explain                print what the scene models and what it leaves out\n"
     "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\"   change a parameter\n"
     "  ixos xml/strip.xml --accuracy 1%           choose steps for an accuracy, and report the error\n"
@@ -83,6 +84,9 @@ void declare(CLI::App& app, Arguments& arguments) {
           ->type_name("FILE")
           ->check([](const std::string& file) { return file.empty() ? "a file is needed" : ""; });
   CLI::Option* check = app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
+  CLI::Option* tries = app.add_flag("--try", arguments.tries,
+                                    "take the first steps, say how long the whole run would take and what its warnings "
+                                    "are, and keep nothing");
   CLI::Option* explain = app.add_flag("--explain", arguments.explain,
                                       "print what the scene models and what it leaves out, but do not run it");
   app.add_option("--template", arguments.template_name,
@@ -92,7 +96,8 @@ void declare(CLI::App& app, Arguments& arguments) {
                                      "write the scene's mesh to this Exodus file, but do not run it")
                           ->type_name("FILE");
   accuracy->excludes(mesh);
-  add_verification(app, arguments, {accuracy, restart, check, explain, mesh});
+  for (CLI::Option* other : {accuracy, restart, check, explain, mesh}) tries->excludes(other);
+  add_verification(app, arguments, {accuracy, restart, check, explain, mesh, tries});
   app.add_flag("--parameters", arguments.parameters, "print every parameter of a scene, as Markdown");
   app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos in bash");

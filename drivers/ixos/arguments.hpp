@@ -15,6 +15,7 @@ struct Arguments {
   double accuracy = 0;  ///< relative, of the quantities that the scene names; 0: not asked for
   bool overwrite = false;
   bool check = false;
+  bool tries = false;  ///< --try
   bool explain = false;
   bool verify_restart = false;
   int kills = 3;                 ///< of --verify-restart

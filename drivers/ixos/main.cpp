@@ -28,6 +28,7 @@
 #include "ixos/launch.hpp"
 #include "ixos/mpi_errors.hpp"
 #include "ixos/scene_run.hpp"
+#include "ixos/trial.hpp"
 #include "ixos/verify_restart.hpp"
 #include "run/restart.hpp"
 #include "scene/explain/documentation.hpp"
@@ -103,6 +104,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
       ixos::console::say("{}{}\n", to_string(simulation.mesh_quality()), verdict(simulation.warnings().size()));
     return 0;
   }
+  if (arguments.tries) return ixos::try_scene(simulation, arguments);
   const ixos::RunResult result = ixos::carry_out(simulation, arguments);
   const int status = ixos::report_end(result, arguments, comm);
   if (speaks) ixos::warn(result.findings);
@@ -146,7 +148,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
 
 /// Carries out the options that need no scene.
 int answer(const Arguments& arguments, const ixos::Comm& comm) {
-  if (arguments.check || arguments.explain || arguments.overwrite || !arguments.mesh_file.empty() ||
+  if (arguments.check || arguments.tries || arguments.explain || arguments.overwrite || !arguments.mesh_file.empty() ||
       !arguments.assignments.empty() || !arguments.output.empty() || !arguments.restart.empty() ||
       arguments.kill_after_step > 0 || arguments.accuracy > 0)
     return report(2, "a scene is needed: ixos SCENE.xml ...", comm);

@@ -52,7 +52,8 @@ void warn(const std::vector<Warning>& warnings) {
   for (const Warning& warning : warnings) console::complain("ixos: warning: {}\n", printable(warning.message));
 }
 
-RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tells) {
+RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tells,
+                    const std::function<std::string(const Progress&)>& observe) {
   std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files is an error of writing
   catch_signals();
   const bool heard = speaks(arguments, simulation.model().space().comm());
@@ -66,6 +67,7 @@ RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tel
     options.warn = [](const std::string& line) { console::complain("ixos: warning: {}\n", printable(line)); };
   }
   options.interrupted = signalled;
+  options.observe = observe;
   ProgressLine line;
   const bool shows = heard && isatty(STDERR_FILENO) != 0;
   if (shows || arguments.kill_after_step > 0)

@@ -1,6 +1,8 @@
 /// A run of a scene, and the messages on it.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "base/warning.hpp"
@@ -21,8 +23,9 @@ void tell_sets_and_hints(const Simulation& simulation);
 void warn(const std::vector<Warning>& warnings);
 
 /// Runs a simulation into the results folder and shows its progress. `tells`: whether to print its lines and warnings.
-/// Collective.
-RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tells = true);
+/// `observe`: see RunOptions. Collective.
+RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tells = true,
+                    const std::function<std::string(const Progress&)>& observe = {});
 
 /// Tells how the run ended, on the first rank. Returns the exit status.
 int report_end(const RunResult& result, const Arguments& arguments, const Comm& comm);

@@ -81,6 +81,12 @@ void bind_run(py::module_& module, SimulationClass& simulation) {
                                for (const auto& [name, value] : r.max_forces) forces[py::str(name)] = value;
                                return forces;
                              })
+      .def_property_readonly(
+          "jumps",
+          [](const RunResult& r) {
+            return py::dict(py::arg("count") = r.jumps.count, py::arg("released") = r.jumps.released);
+          },
+          "Number of jumps of a quasi-static run to other equilibria, and the energy that they released [E0 L0^D].")
       .def_property_readonly("warnings", [](const RunResult& r) { return messages(r.warnings); })
       .def_property_readonly("findings", [](const RunResult& r) { return messages(r.findings); })
       .def("__repr__", [](const RunResult& r) {

@@ -8,7 +8,13 @@
 Scene: what a run computes. Simulation: a scene at some time. Mesh: a mesh from arrays. results(): a run's results.
 Study: many runs. On several ranks, run the script with mpirun; MPI starts with the import.
 """
-from ._core import FileError, InputError, Mesh, RunResult, Simulation, StepResult, __version__
+try:
+    from ._core import FileError, InputError, Mesh, RunResult, Simulation, StepResult, __version__
+except ModuleNotFoundError as error:
+    if error.name != "ixos._core":
+        raise
+    from .missing_core import explanation
+    raise ImportError(explanation(), name=error.name) from None
 from .result_files import Fields
 from .results import Results, results
 from .scene import Scene

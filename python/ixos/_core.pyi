@@ -88,6 +88,7 @@ class RunResult:
     largest_energy: float
     checkpoint: str
     max_forces: dict[str, float]
+    jumps: dict[str, float]
     warnings: list[str]
     findings: list[str]
     folder: str

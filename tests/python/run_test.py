@@ -139,7 +139,8 @@ class RunTest(FolderTest):
 
     def test_lines_are_told(self):
         lines = []
-        free_block(steps=4).run(self.folder / "run", log=lines.append)
+        done = free_block(steps=4).run(self.folder / "run", log=lines.append)
+        self.assertEqual(done.jumps, {"count": 0, "released": 0})
         free_block(steps=4).run(self.folder / "run", log=lines.append, restart=self.folder / "run")
         self.assertTrue(any(line.startswith("Resumes from") for line in lines), lines)
 

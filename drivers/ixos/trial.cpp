@@ -1,0 +1,86 @@
+#include "ixos/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/agreement.hpp"
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "console.hpp"
+#include "ixos/scene_run.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr long most_steps = 20;
+constexpr double most_seconds = 20;
+
+/// A new folder, which goes with its object. Collective.
+class OwnFolder {
+ public:
+  OwnFolder(const Comm& comm, std::string path) : comm_(comm), path_(std::move(path)) {
+    on_first_rank(comm, [&] {
+      std::error_code code;
+      if (std::filesystem::exists(std::filesystem::symlink_status(path_, code)))
+        throw InputError("--try: " + path_ + " exists, where the steps would be written; remove it");
+    });
+  }
+  ~OwnFolder() {
+    comm_->barrier();
+    std::error_code code;  // what is left of a trial does no harm
+    if (comm_->getRank() == 0) std::filesystem::remove_all(path_, code);
+  }
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+
+ private:
+  const Comm& comm_;
+  std::string path_;
+};
+
+/// Returns seconds in words: "4.2 s", "13 min", "7.5 h".
+std::string duration(double seconds) {
+  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 2 * 86400) return fmt::format("{:.1f} h", seconds / 3600);
+  return fmt::format("{:.1f} days", seconds / 86400);
+}
+
+/// Returns what the steps say of the whole run.
+std::string forecast(const Simulation& simulation, const RunResult& result) {
+  const StepControlOptions& times = simulation.step_control();
+  const double advanced = result.end_time - times.initial_time;
+  const double whole = (times.final_time - times.initial_time) / advanced;
+  const std::string steps =
+      fmt::format("{} steps to t = {:.6g} T0 took {}, after {} of set-up", result.steps, result.end_time,
+                  duration(result.wall_seconds), duration(simulation.setup_seconds()));
+  if (result.status == RunStatus::Completed) return steps + ": that is the whole run.";
+  return fmt::format(
+      "{}. At this rate the {:.0f} steps to t = {:.6g} T0 take {}. Steps take longer where a front moves or a "
+      "body snaps.",
+      steps, std::ceil(whole * static_cast<double>(result.steps)), times.final_time,
+      duration(whole * result.wall_seconds));
+}
+
+}  // namespace
+
+int try_scene(Simulation& simulation, const Arguments& arguments) {
+  const Comm& comm = simulation.model().space().comm();
+  Arguments own = arguments;
+  own.output = results_folder(arguments) + ".try";
+  const OwnFolder folder(comm, own.output);
+  RunResult result = carry_out(simulation, own, true, [](const Progress& progress) -> std::string {
+    return progress.step >= most_steps || progress.wall_seconds >= most_seconds ? "tried" : "";
+  });
+  if (speaks(arguments, comm) && result.steps > 0) console::say("{}\n", forecast(simulation, result));
+  const bool failed = result.status == RunStatus::Diverged || result.status == RunStatus::Interrupted;
+  result.checkpoint.clear();
+  const int status = failed ? report_end(result, own, comm) : 0;
+  if (speaks(arguments, comm)) warn(result.findings);
+  return status;
+}
+
+}  // namespace ixos
