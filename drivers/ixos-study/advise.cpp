@@ -62,16 +62,10 @@ void declare_advice(CLI::App& app, AdviceArguments& arguments) {
           ->allow_extra_args(false));
   add(app.add_option("--tolerance", arguments.tolerance, "largest relative error of each quantity (default: 1%)")
           ->type_name("TOLERANCE"));
-  add(app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
-          ->type_name("ASSIGNMENT")
-          ->allow_extra_args(false));
   add(app.add_option("--budget", arguments.budget,
                      "seconds of processor time that the advice may take (default: 8 times the scene as it is)")
           ->type_name("SECONDS")
           ->check(CLI::PositiveNumber));
-  add(app.add_option("--jobs", arguments.jobs, "runs at the same time (default: 1)")
-          ->type_name("NUMBER")
-          ->check(CLI::Range(1, 1024)));
   add(app.add_flag("--verify", arguments.verify,
                    "compare the recommended settings with half the step on a finer mesh"));
 }

@@ -19,6 +19,7 @@
 #include "console.hpp"
 #include "help.hpp"
 #include "ixos-study/advise.hpp"
+#include "ixos-study/scan.hpp"
 #include "parameters/assignments.hpp"
 #include "scene/explain/documentation.hpp"
 #include "scene/read/parameters.hpp"
@@ -33,7 +34,8 @@ namespace {
 
 struct Arguments {
   std::string study;
-  ixos::AdviceArguments advice;
+  ixos::AdviceArguments advice;  ///< with --set and --jobs, which a scan has, too
+  ixos::ScanArguments scan;
   std::string output;
   bool overwrite = false;
   bool list = false;
@@ -47,7 +49,20 @@ const char* const examples =
     "  ixos-study xml/ball-study.xml              run the study; results go to ball-study.results\n"
     "  ixos-study xml/ball-study.xml --list       list its runs, but do not run them\n"
     "  ixos-study --parameters                    list the parameters of a study\n"
+    "  ixos-study --scan xml/pillar.xml --vary \"Materials/Polymer/Young's Modulus=0.5:2:4:log\" --collect \"peak "
+    "reaction_top_y\"  run each value\n"
     "  ixos-study --advise xml/strip.xml --quantity \"peak reaction_right_y\" --tolerance 1%  recommend settings\n";
+/// A picture or a report that a script makes of a results folder.
+struct Product {
+  const char* script;
+  const char* data;
+  const char* name;
+  const char* file;
+};
+constexpr Product study_report{"study.py", "study.csv", "Plots and report", "report.html"};
+constexpr Product advice_report{"advice.py", "advice.json", "Plots and report", "report.html"};
+constexpr Product scan_picture{"scan.py", "scan.csv", "Picture of scan.csv", "scan.png"};
+
 const char* const remark =
     "To resume an interrupted study or advice, run the same command again; finished runs are not repeated.\n";
 
@@ -77,20 +92,20 @@ void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t to
   std::fflush(stdout);
 }
 
-int make_report(const char* name, const std::string& data, const std::string& folder, bool quiet) {
-  const std::string script_file = report_script(name), log = folder + "/report.log";
+int make(const Product& product, const std::string& folder, bool quiet) {
+  const std::string script_file = report_script(product.script), log = folder + "/report.log";
   ixos::ChildProcess script({script_file, folder}, log);
   ixos::ChildOutcome outcome;
   while (!script.ended(outcome)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   if (outcome.exit_status == 0) {
     std::filesystem::remove(log);
-    if (!quiet) ixos::console::say("Plots and report: {}/report.html\n", ixos::printable(folder));
+    if (!quiet) ixos::console::say("{}: {}/{}\n", product.name, ixos::printable(folder), product.file);
     return 0;
   }
   ixos::console::complain(
       "ixos-study: {} is complete, but the script for plots and report failed; {} has its messages (it needs "
       "python3 with matplotlib). To repeat it: {} {}\n",
-      data, ixos::printable(log), script_file, ixos::printable(folder));
+      product.data, ixos::printable(log), script_file, ixos::printable(folder));
   return 4;
 }
 
@@ -99,11 +114,20 @@ int run_advice(const Arguments& arguments) {
   const int status = ixos::advise(arguments.advice, arguments.output, (own_folder() / "ixos").string(),
                                   arguments.overwrite, arguments.quiet);
   if (status != 0 && status != 3) return status;
-  const int written = make_report("advice.py", "advice.json", folder, arguments.quiet);
+  const int written = make(advice_report, folder, arguments.quiet);
   return status != 0 ? status : written;
 }
 
+int run_scan(const Arguments& arguments) {
+  const int status =
+      ixos::scan(arguments.scan, {arguments.advice.assignments, arguments.output, (own_folder() / "ixos").string(),
+                                  arguments.advice.jobs, arguments.overwrite, arguments.list, arguments.quiet});
+  if (status != 0 || arguments.list) return status;
+  return make(scan_picture, ixos::scan_folder(arguments.scan, arguments.output), arguments.quiet);
+}
+
 int run(const Arguments& arguments) {
+  if (!arguments.scan.scene.empty()) return run_scan(arguments);
   if (!arguments.advice.scene.empty()) return run_advice(arguments);
   const ixos::Study study = ixos::read_study(arguments.study);
   if (arguments.list) {
@@ -137,11 +161,13 @@ int run(const Arguments& arguments) {
     return 5;
   }
   if (!arguments.quiet) ixos::console::say("{}\n", ixos::printable(outcome.recommendation));
-  return make_report("study.py", "study.csv", options.folder, arguments.quiet);
+  return make(study_report, options.folder, arguments.quiet);
 }
 
 int guarded(const Arguments& arguments) {
-  const std::string& file = arguments.advice.scene.empty() ? arguments.study : arguments.advice.scene;
+  const std::string& file = !arguments.scan.scene.empty()     ? arguments.scan.scene
+                            : !arguments.advice.scene.empty() ? arguments.advice.scene
+                                                              : arguments.study;
   try {
     return run(arguments);
   } catch (const ixos::InputError& error) {
@@ -169,7 +195,16 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_flag("--overwrite", arguments.overwrite, "replace the results of another study in the results folder");
   app.add_flag("--list", arguments.list, "print the runs and their settings without running them");
   ixos::declare_advice(app, arguments.advice);
+  ixos::declare_scan(app, arguments.scan);
   app.get_option("--advise")->excludes(study);
+  app.get_option("--scan")->excludes(study)->excludes(app.get_option("--advise"));
+  app.add_option("--set", arguments.advice.assignments,
+                 "\"List/Sublist/Name=value\": changes the scene of --advise or --scan; may be repeated")
+      ->type_name("ASSIGNMENT")
+      ->allow_extra_args(false);
+  app.add_option("--jobs", arguments.advice.jobs, "runs at the same time of --advise or --scan (default: 1)")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(1, 1024));
   app.add_flag("--parameters", arguments.parameters, "print every parameter of a study, as Markdown");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos-study in bash");
   app.add_flag("--version", arguments.version, "print the version");
@@ -189,7 +224,12 @@ int answer(int argc, char** argv) {
     ixos::console::complain("ixos-study: {} (ixos-study --help lists the options)\n", error.what());
     return 2;
   }
-  if (!arguments.study.empty() || !arguments.advice.scene.empty()) return guarded(arguments);
+  if (app.count("--set") + app.count("--jobs") > 0 && arguments.advice.scene.empty() && arguments.scan.scene.empty()) {
+    ixos::console::complain("ixos-study: --set and --jobs need --advise or --scan; a study has lists for them\n");
+    return 2;
+  }
+  if (!arguments.study.empty() || !arguments.advice.scene.empty() || !arguments.scan.scene.empty())
+    return guarded(arguments);
   if (arguments.version)
     ixos::console::say("ixos-study {}\n", IXOS_VERSION);
   else if (arguments.parameters)

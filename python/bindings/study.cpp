@@ -7,6 +7,7 @@
 #include "scene_list.hpp"
 #include "shell_word.hpp"
 #include "study/compare/study_runner.hpp"
+#include "study/scan/scan.hpp"
 
 namespace py = pybind11;
 
@@ -41,42 +42,117 @@ py::dict row(const StudyResult& result) {
   return values;
 }
 
+/// Stops a loop that runs without Python's lock, when a signal or an observer has raised an exception.
+class Stoppable {
+ public:
+  /// Returns whether it is to stop.
+  bool operator()() {
+    const py::gil_scoped_acquire hold;
+    if (!stopped_ && PyErr_CheckSignals() != 0) stopped_ = std::make_exception_ptr(py::error_already_set());
+    return stopped_ != nullptr;
+  }
+  /// Calls the observer of a run with what `row` makes, unless it has none or is to stop.
+  template <class Row>
+  void tell(const py::object& observer, const Row& row, std::size_t done, bool reused) {
+    const py::gil_scoped_acquire hold;
+    if (stopped_ || observer.is_none()) return;
+    try {
+      observer(row(), done, reused);
+    } catch (...) {
+      stopped_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (stopped_) std::rethrow_exception(stopped_);
+  }
+
+ private:
+  std::exception_ptr stopped_;
+};
+
 /// Returns the rows and the recommendation. Throws what `watch` throws, and KeyboardInterrupt.
 py::tuple run_file(const StudyFile& file, const std::string& folder, const std::string& driver, bool overwrite,
                    const py::object& watch) {
-  std::exception_ptr stopped;
+  Stoppable stopped;
   RunnerOptions options;
   options.folder = folder;
   options.driver = driver;
   options.version = IXOS_VERSION;
   options.command = "ixos-study " + shell_word(file.path) + " --output " + shell_word(folder);
   options.overwrite = overwrite;
-  options.interrupted = [&] {
-    const py::gil_scoped_acquire hold;
-    if (!stopped && PyErr_CheckSignals() != 0) stopped = std::make_exception_ptr(py::error_already_set());
-    return stopped != nullptr;
+  options.interrupted = [&] { return stopped(); };
+  options.watch = [&](const StudyResult& result, std::size_t done, bool reused) {
+    stopped.tell(
+        watch, [&] { return row(result); }, done, reused);
   };
-  if (!watch.is_none())
-    options.watch = [&](const StudyResult& result, std::size_t done, bool reused) {
-      const py::gil_scoped_acquire hold;
-      try {
-        if (!stopped) watch(row(result), done, reused);
-      } catch (...) {
-        stopped = std::current_exception();
-      }
-    };
   StudyOutcome outcome;
   {
     const py::gil_scoped_release free;
     outcome = at_scene(file.path, {}, [&] { return run_study(file.study, options); });
   }
-  if (stopped) std::rethrow_exception(stopped);
+  stopped.rethrow();
   if (outcome.status == StudyStatus::ReferenceFailed)
     throw std::runtime_error("the reference did not reach its end: " + outcome.results.front().status + ": " +
                              outcome.results.front().reason);
   py::list rows;
   for (const StudyResult& result : outcome.results) rows.append(row(result));
   return py::make_tuple(rows, outcome.recommendation);
+}
+
+py::dict scan_row(const ScanRow& result) {
+  py::dict values;
+  values["labels"] = result.run.labels;
+  values["values"] = result.values;
+  values["name"] = result.run.name;
+  values["status"] = result.status;
+  values["reason"] = result.reason;
+  values["wall_seconds"] = result.wall_seconds;
+  values["steps"] = result.steps;
+  return values;
+}
+
+/// Returns the names of the varied parameters, the quantities, and the rows.
+py::tuple run_scan_of(const std::string& scene, const std::vector<std::string>& varied,
+                      const std::vector<std::string>& quantities, const Assignments& settings,
+                      const std::string& folder, const std::string& driver, int jobs, bool overwrite,
+                      const py::object& watch) {
+  Stoppable stopped;
+  ScanOptions options;
+  options.folder = folder;
+  options.driver = driver;
+  options.version = IXOS_VERSION;
+  options.command = "ixos-study --scan " + shell_word(scene);
+  const auto add = [&](const char* option, const std::vector<std::string>& words) {
+    for (const std::string& word : words) options.command += std::string(option) + shell_word(word);
+  };
+  add(" --vary ", varied);
+  add(" --collect ", quantities);
+  add(" --set ", settings);
+  options.command += " --output " + shell_word(folder);
+  options.jobs = jobs;
+  options.overwrite = overwrite;
+  options.interrupted = [&] { return stopped(); };
+  options.watch = [&](const ScanRow& result, std::size_t done, bool reused) {
+    stopped.tell(
+        watch, [&] { return scan_row(result); }, done, reused);
+  };
+  Scan scan{scene, settings, {}, {}};
+  ScanOutcome outcome;
+  {
+    const py::gil_scoped_release free;
+    outcome = at_scene(scene, {}, [&] {
+      for (const std::string& text : varied) scan.varied.push_back(read_varied(text));
+      for (const std::string& text : quantities) scan.quantities.emplace_back(text);
+      runs_of(scan);  // completes the quantities
+      return run_scan(scan, options);
+    });
+  }
+  stopped.rethrow();
+  std::vector<std::string> names;
+  for (const AskedQuantity& quantity : scan.quantities) names.push_back(quantity.text());
+  py::list rows;
+  for (const ScanRow& result : outcome.rows) rows.append(scan_row(result));
+  return py::make_tuple(outcome.names, names, rows);
 }
 
 py::list runs(const StudyFile& file) {
@@ -112,6 +188,8 @@ void bind_study(py::module_& module) {
       .def_property_readonly("runs", &runs)
       .def("run", &run_file, py::arg("folder"), py::arg("driver"), py::arg("overwrite") = false,
            py::arg("watch") = py::none());
+  module.def("scan", &run_scan_of, py::arg("scene"), py::arg("varied"), py::arg("quantities"), py::arg("settings"),
+             py::arg("folder"), py::arg("driver"), py::arg("jobs"), py::arg("overwrite"), py::arg("watch"));
 }
 
 }  // namespace ixos::python

@@ -6,7 +6,8 @@
     simulation.step(0.1)                          # or step by step, with u, v, a as NumPy arrays
 
 Scene: what a run computes. Simulation: a scene at some time. Mesh: a mesh from arrays. results(): a run's results.
-Study: many runs. On several ranks, run the script with mpirun; MPI starts with the import.
+scan(): a number over varied parameters. Study: many runs. On several ranks, run the script with mpirun; MPI starts with
+the import.
 """
 try:
     from ._core import FileError, InputError, Mesh, RunResult, Simulation, StepResult, __version__
@@ -17,9 +18,10 @@ except ModuleNotFoundError as error:
     raise ImportError(explanation(), name=error.name) from None
 from .result_files import Fields
 from .results import Results, results
+from .scan import scan
 from .scene import Scene
 from .simulation import SceneWarning
 from .study import Study, StudyResults
 
 __all__ = ["Fields", "FileError", "InputError", "Mesh", "Results", "RunResult", "Scene", "SceneWarning", "Simulation",
-           "StepResult", "Study", "StudyResults", "__version__", "results"]
+           "StepResult", "Study", "StudyResults", "__version__", "results", "scan"]

@@ -145,6 +145,10 @@ class Simulation:
     mesh_nodes: ndarray
     blocks: list[Block]
 
+def scan(scene: str, varied: list[str], quantities: list[str], settings: list[str], folder: str, driver: str,
+         jobs: int, overwrite: bool, watch: Any) -> tuple[list[str], list[str], list[dict]]: ...
+
+
 class StudyFile:
     def __init__(self, path: str) -> None: ...
     path: str

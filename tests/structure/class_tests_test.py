@@ -155,6 +155,8 @@ elsewhere = {
     "study/common/run_pool.hpp": ("drivers/study_test.cpp", "whole studies; advice_test.cpp has those of advices"),
     "study/common/history_table.hpp": ("study/compare/study_test.cpp", "tables read back"),
     "study/compare/study_result.hpp": ("study/compare/study_test.cpp", "recommendation and files"),
+    "study/scan/scan.hpp": ("drivers/scan_test.cpp", "whole scans"),
+    "study/scan/scan_table.hpp": ("drivers/scan_test.cpp", "scan.csv and the table of the command"),
     "study/common/results_folder.hpp": ("drivers/study_test.cpp", "ResultsOfAnotherStudyStay; two processes in one folder"),
     "study/compare/study_runner.hpp": ("drivers/study_test.cpp", "whole studies"),
     "units/dimension.hpp": ("units/unit_system_test.cpp", "DimensionTest"),

@@ -5,20 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "study/common/axes.hpp"
 #include "study/common/study_run.hpp"
 
 namespace ixos {
-
-struct AxisValue {
-  std::string label;
-  Assignments settings;
-};
-
-/// A varied quantity: its values exclude each other.
-struct Axis {
-  std::string name;
-  std::vector<AxisValue> values;
-};
 
 /// How errors against the reference are taken.
 struct ErrorOptions {

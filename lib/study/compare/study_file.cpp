@@ -3,7 +3,6 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -24,11 +23,6 @@ namespace {
 
 using List = Teuchos::ParameterList;
 using Words = Teuchos::Array<std::string>;
-
-/// A larger study is presumably a mistake.
-constexpr std::size_t most_runs = 10000;
-constexpr std::size_t most_settings = 1000000;  ///< of all runs together
-constexpr std::size_t longest_name = 200;       ///< of a run's folder
 
 Assignments assignments(const SceneNode& node) {
   Assignments result;
@@ -54,55 +48,6 @@ Axis read_axis(const SceneNode& node) {
   for (const AxisValue& value : axis.values)
     if (!labels.insert(value.label).second) throw InputError(node.path() + ": \"" + value.label + "\" is given twice");
   return axis;
-}
-
-/// Returns the text with letters, digits and + . - unchanged, anything else as one dash.
-std::string file_name(const std::string& label) {
-  std::string result;
-  for (char c : label) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+';
-    if (plain)
-      result += c;
-    else if (!result.empty() && result.back() != '-')
-      result += '-';
-  }
-  while (!result.empty() && result.back() == '-') result.pop_back();
-  return result.empty() ? "-" : result;
-}
-
-[[noreturn]] void refuse_run_name(const StudyRun& run) {
-  throw InputError("Axes: the labels \"" + fmt::format("{}", fmt::join(run.labels, "\", \"")) +
-                   "\" give the folder name \"" + run.name +
-                   "\", which another run has, which is reserved, or which is too long; choose other labels");
-}
-
-/// Returns every combination of the axes' values, the last axis running fastest.
-std::vector<StudyRun> combinations(const Study& study) {
-  std::vector<StudyRun> runs{{"", {}, study.common}};
-  for (const Axis& axis : study.axes) {
-    if (runs.size() * axis.values.size() > most_runs)
-      throw InputError(fmt::format("Axes: more than {} runs", most_runs));
-    std::vector<StudyRun> longer;
-    std::size_t settings = 0;
-    for (const StudyRun& run : runs)
-      for (const AxisValue& value : axis.values) {
-        StudyRun next = run;
-        next.name += (run.name.empty() ? "" : "_") + file_name(value.label);
-        next.labels.push_back(value.label);
-        next.settings.insert(next.settings.end(), value.settings.begin(), value.settings.end());
-        settings += next.settings.size();
-        if (settings > most_settings)
-          throw InputError(fmt::format("Axes: more than {} settings of all runs together", most_settings));
-        if (next.name.size() > longest_name) refuse_run_name(next);
-        longer.push_back(std::move(next));
-      }
-    runs = std::move(longer);
-  }
-  std::set<std::string> names;
-  for (const StudyRun& run : runs)
-    if (!names.insert(run.name).second || run.name == "reference" || run.name == "reference-check")
-      refuse_run_name(run);
-  return runs;
 }
 
 Question read_question(const SceneNode& list, const std::vector<Axis>& axes) {
@@ -200,7 +145,7 @@ Study read(const std::string& path) {
   study.check = read_check(reference);
   study.errors = read_errors(list.sublist("Errors"));
   study.question = read_question(list.sublist("Question"), study.axes);
-  study.runs = combinations(study);
+  study.runs = combinations(study.axes, study.common, {"reference", "reference-check"});
   return study;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "io/disk_file.hpp"
+#include "study/common/csv_cell.hpp"
 #include "study/compare/recommendation.hpp"
 
 namespace ixos {
@@ -15,18 +16,11 @@ namespace {
 
 constexpr std::size_t first_measures = 4;  ///< that stand before the costs
 
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\n\r") == std::string::npos) return cell;
-  std::string text = "\"";
-  for (char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return text + "\"";
-}
-
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
 std::string table(const Study& study, const std::vector<StudyResult>& results) {
   std::string text = "run";
-  for (const Axis& axis : study.axes) text += "," + quoted(axis.name);
+  for (const Axis& axis : study.axes) text += "," + csv_cell(axis.name);
   // The first columns keep their places: readers may count them.
   text += ",status,reason";
   for (std::size_t i = 0; i < first_measures; ++i) text += std::string(",") + measures()[i].column;
@@ -36,9 +30,9 @@ std::string table(const Study& study, const std::vector<StudyResult>& results) {
   text += ",peak,work\n";
   for (const StudyResult& result : results) {
     const StudyErrors errors = result.reached_its_end() ? result.errors : StudyErrors();
-    text += quoted(result.run.name);
-    for (const std::string& label : result.run.labels) text += "," + quoted(label);
-    text += "," + result.status + "," + quoted(result.reason);
+    text += csv_cell(result.run.name);
+    for (const std::string& label : result.run.labels) text += "," + csv_cell(label);
+    text += "," + result.status + "," + csv_cell(result.reason);
     for (std::size_t i = 0; i < first_measures; ++i) text += "," + number(errors.*measures()[i].error);
     for (double value : {result.wall_seconds, result.cpu_seconds}) text += "," + number(value);
     for (long value : {result.steps, result.rejected_steps, result.newton_iterations, result.linear_iterations})

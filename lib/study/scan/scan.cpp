@@ -1,0 +1,102 @@
+#include "study/scan/scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "parameters/scene_node.hpp"
+#include "scene/read/scene_units.hpp"
+#include "scene/scene_file.hpp"
+#include "study/common/results_folder.hpp"
+#include "study/common/run_history.hpp"
+#include "study/common/run_pool.hpp"
+#include "study/scan/scan_table.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns the row of a finished run. A failed run has the quantities that were decided before it failed.
+ScanRow row_of(const RunPool& pool, const StudyRun& run, const std::vector<AskedQuantity>& quantities) {
+  ScanRow row{pool.record(run), {}};
+  row.values.assign(quantities.size(), std::numeric_limits<double>::quiet_NaN());
+  if (!row.reached_its_end() && !row.failed_with_rows()) return row;
+  const RunHistory history(pool.folder(run));
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    quantities[i].check_columns(history.table().names());
+    if (!row.reached_its_end() && !quantities[i].is_decided(history)) continue;
+    try {
+      row.values[i] = quantities[i].value(history);
+    } catch (const InputError& error) {
+      row.reason += (row.reason.empty() ? "" : "; ") + std::string(error.what());
+    }
+  }
+  return row;
+}
+
+void name_apart(std::vector<VariedParameter>& varied) {
+  for (VariedParameter& one : varied) {
+    const auto same = [&](const VariedParameter& other) { return other.name == one.name && other.path != one.path; };
+    if (std::any_of(varied.begin(), varied.end(), same)) one.name = one.path;
+  }
+}
+
+}  // namespace
+
+std::vector<StudyRun> runs_of(Scan& scan) {
+  name_apart(scan.varied);
+  for (std::size_t i = 0; i < scan.varied.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (scan.varied[i].path == scan.varied[j].path)
+        throw InputError("--vary: \"" + scan.varied[i].path + "\" is varied twice");
+  const std::vector<Axis> axes(scan.varied.begin(), scan.varied.end());
+  std::vector<StudyRun> runs = combinations(axes, scan.common);
+  const Teuchos::ParameterList scene = read_scene_file(scan.scene);
+  for (const StudyRun& run : runs) {
+    Teuchos::ParameterList complete;
+    try {
+      complete = complete_scene(with_settings(scene, run.settings));
+    } catch (const InputError& error) {
+      throw InputError("run " + run.name + ": " + error.what());
+    }
+    if (!scan.quantities.empty()) continue;
+    at("Output/Quantities", [&] {
+      for (const auto& text : complete.sublist("Output").get<Teuchos::Array<std::string>>("Quantities"))
+        scan.quantities.emplace_back(text);
+    });
+    if (scan.quantities.empty())
+      throw InputError("--collect is missing, and the scene names no Output/Quantities; give one of\n" +
+                       quantity_forms());
+  }
+  return runs;
+}
+
+ScanOutcome run_scan(Scan scan, const ScanOptions& options) {
+  const std::vector<StudyRun> runs = runs_of(scan);
+  std::error_code code;
+  std::filesystem::create_directories(options.folder, code);
+  if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
+  const std::string scene = std::filesystem::absolute(scan.scene).lexically_normal().string();
+  const ResultsFolder held(options.folder, printable("the scan of " + scene), options.overwrite);
+  const RunPool pool({options.folder + "/runs", scan.scene, options.driver, options.version, 0, options.interrupted});
+  std::vector<std::optional<ScanRow>> found(runs.size());
+  std::size_t done = 0;
+  ScanOutcome outcome;
+  outcome.complete = pool.carry_out(runs, options.jobs, [&](std::size_t number, bool reused) {
+    found[number] = row_of(pool, runs[number], scan.quantities);
+    ++done;
+    if (options.watch) options.watch(*found[number], done, reused);
+  });
+  for (std::optional<ScanRow>& row : found)
+    if (row) outcome.rows.push_back(std::move(*row));
+  for (const VariedParameter& varied : scan.varied) outcome.names.push_back(varied.name);
+  write_scan(scan, outcome.rows, options);
+  return outcome;
+}
+
+}  // namespace ixos

@@ -1,0 +1,52 @@
+/// Scans: numbers that the runs of a scene yield, over varied parameters.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "study/common/asked_quantity.hpp"
+#include "study/common/run_record.hpp"
+#include "study/scan/varied_parameter.hpp"
+
+namespace ixos {
+
+struct Scan {
+  std::string scene;   ///< path of the scene's file
+  Assignments common;  ///< changes of the scene in all runs
+  std::vector<VariedParameter> varied;
+  std::vector<AskedQuantity> quantities;  ///< empty: Output/Quantities of the scene
+};
+
+/// A run, with a value for each quantity: NaN if it has none, and the record's reason then says why.
+struct ScanRow : RunRecord {
+  std::vector<double> values;
+};
+
+struct ScanOptions {
+  std::string folder;   ///< results go here: runs/<name>/ for each run. Created if missing
+  std::string driver;   ///< path of the program ixos
+  std::string command;  ///< repeats the scan, for scan.json
+  std::string version;  ///< results of another version are not reused
+  int jobs = 1;         ///< runs at the same time
+  bool overwrite = false;
+  /// Called after each run: its row, how many are done, and whether it was finished already. May be empty.
+  std::function<void(const ScanRow&, std::size_t, bool)> watch;
+  std::function<bool()> interrupted;  ///< called between polls; may be empty
+};
+
+struct ScanOutcome {
+  bool complete = false;           ///< or it was interrupted
+  std::vector<ScanRow> rows;       ///< of the finished runs, the last parameter running fastest
+  std::vector<std::string> names;  ///< of the varied parameters, in scan.csv and scan.json
+};
+
+/// Completes the scan with the scene's quantities and returns its runs, all of them checked against what the scene may
+/// say. Throws InputError.
+std::vector<StudyRun> runs_of(Scan& scan);
+
+/// Carries out the runs that have no result yet, each in a process of its own, and writes scan.csv and scan.json. A
+/// scan may be killed at any time, and resumes from the runs that are done. Throws InputError, also for a quantity that
+/// needs a column which history.csv lacks, and if the folder holds the results of another scan; and FileError.
+ScanOutcome run_scan(Scan scan, const ScanOptions& options);
+
+}  // namespace ixos

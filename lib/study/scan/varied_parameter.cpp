@@ -1,0 +1,78 @@
+#include "study/scan/varied_parameter.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr int most_values = 10000;
+
+[[noreturn]] void refuse(const std::string& text, const std::string& why) {
+  throw InputError(
+      fmt::format("--vary \"{}\": {}; write \"List/Sublist/Name=from:to:number\", the same with \":log\" behind for "
+                  "equal ratios, or "
+                  "\"List/Sublist/Name={{one, two}}\"",
+                  text, why));
+}
+
+std::optional<double> number_of(const std::string& word) {
+  char* end = nullptr;
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Returns numbers of twelve digits, so that 0.1 + 2 0.1 is 0.3, or of six where ratios are equal.
+std::vector<std::string> spread(const std::string& text, const std::vector<std::string>& words, bool logarithmic) {
+  const auto from = number_of(words[0]), to = number_of(words[1]), count = number_of(words[2]);
+  if (!from || !to) refuse(text, fmt::format("\"{}\" is not a number", from ? words[1] : words[0]));
+  if (!count || *count != std::floor(*count) || *count < 2 || *count > most_values)
+    refuse(text,
+           fmt::format("the number of values is \"{}\", which must be an integer from 2 to {}", words[2], most_values));
+  if (*from == *to) refuse(text, "both ends are equal");
+  if (logarithmic && !(*from * *to > 0)) refuse(text, "equal ratios need two ends of one sign, and none is 0");
+  std::vector<std::string> values;
+  const int last = static_cast<int>(*count) - 1;
+  for (int i = 0; i <= last; ++i) {
+    const double share = static_cast<double>(i) / last;
+    const double value = logarithmic ? *from * std::pow(*to / *from, share) : *from + share * (*to - *from);
+    const bool is_end = i == 0 || i == last;
+    values.push_back(fmt::format("{:.{}g}", i == last ? *to : value, logarithmic && !is_end ? 6 : 12));
+  }
+  return values;
+}
+
+}  // namespace
+
+VariedParameter read_varied(const std::string& text) {
+  const auto equal = text.find('=');
+  if (equal == std::string::npos || equal == 0) refuse(text, "there is no \"=\" behind the name of a parameter");
+  VariedParameter varied;
+  varied.path = trimmed(text.substr(0, equal));
+  varied.name = varied.path.substr(varied.path.rfind('/') + 1);
+  const std::string values = trimmed(text.substr(equal + 1));
+  std::vector<std::string> words;
+  if (values.size() > 1 && values.front() == '{' && values.back() == '}') {
+    words = split(values.substr(1, values.size() - 2), ',');
+  } else {
+    std::vector<std::string> parts = split(values, ':');
+    varied.logarithmic = parts.size() == 4 && parts[3] == "log";
+    if (parts.size() != 3 && !varied.logarithmic) refuse(text, fmt::format("\"{}\" is no range of values", values));
+    words = spread(text, parts, varied.logarithmic);
+  }
+  for (const std::string& word : words) {
+    for (const AxisValue& before : varied.values)
+      if (before.label == word) refuse(text, fmt::format("\"{}\" is given twice", word));
+    varied.values.push_back({word, {varied.path + "=" + word}});
+  }
+  return varied;
+}
+
+}  // namespace ixos

@@ -1,0 +1,50 @@
+#include "run/remedies.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/bodies.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::count;
+using test::list;
+using test::number;
+using test::word;
+
+std::vector<std::string> remedies_of(const std::string& type, const std::string& control = "",
+                                     const std::string& more = "") {
+  const std::string steps = number("Time Step", 0.1) + number("Final Time", 1) + control;
+  const Simulation simulation(
+      test::scene(test::block_2d(0) + list("Time Integrator", word("Type", type) + list("Time Step Control", steps)) +
+                  more),
+      test::world());
+  std::vector<std::string> all;
+  for (const Remedy& remedy : remedies(simulation)) all.push_back(remedy.assignment);
+  return all;
+}
+
+using Assignments = std::vector<std::string>;
+const std::string control = "Time Integrator/Time Step Control/";
+const std::string dynamic = "Time Integrator/Type=Generalized-Alpha";
+
+TEST(RemediesTest, StepsAreCutFirstAndShorterThen) {
+  EXPECT_EQ(remedies_of("Newmark"), Assignments{control + "Maximum Cuts=10"});
+  EXPECT_EQ(remedies_of("Newmark", count("Maximum Cuts", 3)), Assignments{control + "Time Step=0.01"});
+  EXPECT_EQ(remedies_of("Central Difference"), Assignments{control + "Time Step=0.01"});
+}
+
+TEST(RemediesTest, AnAdaptiveRunHasCutItsStepsAlready) {
+  EXPECT_EQ(remedies_of("Newmark", word("Type", "Adaptive") + list("Adaptive", number("Tolerance", 1e-3))),
+            Assignments{});
+}
+
+TEST(RemediesTest, AQuasiStaticBodyMayTakeMoreIterationsOrMove) {
+  EXPECT_EQ(remedies_of("Static"), (Assignments{control + "Maximum Cuts=10", dynamic}));
+  EXPECT_EQ(remedies_of("Static", "", list("Nonlinear Solver", count("Maximum Iterations", 50))),
+            (Assignments{"Nonlinear Solver/Maximum Iterations=0", control + "Maximum Cuts=10", dynamic}));
+}
+
+}  // namespace
+}  // namespace ixos
