@@ -57,7 +57,7 @@ def main():
                         help="a results folder (with history.csv, summary.json, effective.xml)")
     parser.add_argument("--output", metavar="NAME", default="cost",
                         help="output file, without ending (default: cost)")
-    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_figure()
     arguments = parser.parse_args()
 
     runs = [checked(folder) for folder in arguments.folders]

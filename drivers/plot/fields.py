@@ -105,7 +105,7 @@ def main():
     parser.add_argument("--view", type=options.direction, metavar="X,Y,Z",
                         help="direction from a body in space to the viewer (default: 0.6,-1,0.4)")
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: FOLDER/fields)")
-    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_figure()
     parser.add_si()
     arguments = parser.parse_args()
 

@@ -57,7 +57,7 @@ def main():
     parser.add_argument("folders", nargs="+", metavar="FOLDER", help="a results folder (with history.csv)")
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: FOLDER/history; "
                         "for several runs, history in the working folder)")
-    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_figure()
     parser.add_argument("--relative", type=options.scale, metavar="initial|SCALE",
                         help="divide energy errors by the initial energy or by a number")
     parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to draw (default: all)")

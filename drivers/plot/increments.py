@@ -37,7 +37,7 @@ def main():
     parser.add_argument("--logarithmic", action="store_true", help="use logarithmic axes for wall-clock times")
     parser.add_argument("--output", metavar="NAME", default="increments",
                         help="output file, without ending (default: increments)")
-    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_figure()
     parser.add_si()
     arguments = parser.parse_args()
 

@@ -1,19 +1,35 @@
 """One command line for all scripts: types of options, complaints on one line with exit status 2."""
 import argparse
 import pathlib
+import re
 import sys
 
+import style
 import units
 from results import ResultsError
+
+FORMATS = ("png", "svg", "pdf", "eps")
 
 
 def formats(text):
     """The type of --format."""
     words = text.split(",")
     for word in words:
-        if word not in ("png", "svg"):
-            raise argparse.ArgumentTypeError(f"unknown format '{word}'; allowed: png, svg or png,svg")
+        if word not in FORMATS:
+            raise argparse.ArgumentTypeError(f"unknown format '{word}'; allowed: {', '.join(FORMATS)}, or several: png,svg")
     return words
+
+
+def width(text):
+    """The type of --width: a length in mm, cm or in. Returns inches."""
+    match = re.fullmatch(r"([0-9.]+) ?(mm|cm|in)", text)
+    try:
+        value = float(match[1]) / {"mm": 25.4, "cm": 2.54, "in": 1.0}[match[2]] if match else 0.0
+    except ValueError:
+        value = 0.0
+    if not 0.5 <= value <= 100:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a width of half an inch or more such as 86mm, 8.6cm or 3.4in")
+    return value
 
 
 def scale(text):
@@ -111,9 +127,24 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("--si", action="store_true", help="draw in SI units; numbers of other options are in the "
                           "units of the axes then (default: L0, E0 and T0 of the scene)")
 
+    def add_figure(self):
+        """Adds the options of a figure's files; parse_args() carries them out, and `format` has the formats."""
+        group = self.add_argument_group("figure")
+        group.add_argument("--format", type=formats, default=None, metavar="FORMAT",
+                           help="png, svg, pdf or eps, or several as png,pdf (default: png)")
+        group.add_argument("--pdf", action="store_true", help="write NAME.pdf; fonts are embedded")
+        group.add_argument("--eps", action="store_true", help="write NAME.eps; fonts are embedded")
+        group.add_argument("--dpi", type=count, help=f"pixels an inch of PNG (default: {style.DPI})")
+        group.add_argument("--width", type=width, metavar="WIDTH", help="width of the figure, such as 86mm or 3.4in")
+        group.add_argument("--data", action="store_true", help="write NAME.csv, too, with the points of all lines")
+
     def parse_args(self, *arguments, **keywords):
         """Parses as argparse does. --si takes effect with the units of the first results folder."""
         parsed = super().parse_args(*arguments, **keywords)
+        if hasattr(parsed, "pdf"):
+            more = [name for name in ("pdf", "eps") if getattr(parsed, name)]
+            parsed.format = list(dict.fromkeys((parsed.format or ([] if more else ["png"])) + more))
+            style.output = style.Output(parsed.dpi or style.DPI, parsed.width, parsed.data)
         if getattr(parsed, "si", False):
             units.use_si(parsed.folder if hasattr(parsed, "folder") else parsed.folders[0])
         return parsed

@@ -22,7 +22,7 @@ Configurations need fields.e (the scene must set Output/Fields Interval). An arr
 scene pulls, the longest one the largest force drawn. Forces and energies of plane bodies are per depth. The other
 scripts draw more, and compare runs: they are in drivers/plot, and in share/ixos/plot of an installed Ixos."""
 
-PANELS = 4  # configurations
+PANELS, NARROW = 4, 5.0  # configurations; inches of a figure that has room for half of them
 
 
 def read_fields(folder):
@@ -45,6 +45,8 @@ def reaction_vectors(run, fields, frames):
     if any(len(place) == 0 for place in places):
         return None
     forces = np.array([np.interp(fields.times[frames], times, values) for _, times, values in parts]).T
+    if run.body_dimension > run.dimension:
+        forces[:, 0] = 0  # those of all angles balance around the axis
     return np.array([place.mean(axis=0) for place in places]), forces
 
 
@@ -65,10 +67,25 @@ def draw_arrow(axes, arrow):
         "arrowstyle": "-|>", "color": style.COLORS[2], "linewidth": 1.4, "shrinkA": 0, "shrinkB": 0})
 
 
-def draw_configurations(figure, run, fields):
-    """A row of configurations. The first and the last frame, and those between at equal distances."""
+def frames_that_matter(run, fields, count):
+    """Frames from the first to the last at equal distances; the one nearest to the largest force is among them."""
     import fields as configurations  # VTK, too
-    frames = configurations.chosen_frames(fields, None, PANELS)
+    frames = configurations.chosen_frames(fields, None, count)
+    if not any(np.isfinite(values).any() for _, _, values in run.reactions()):
+        return frames
+    _, times, values = pull.force(run)
+    peak = fields.nearest_frame(times[np.nanargmax(np.abs(values))])
+    if peak in frames or len(frames) < 2:
+        return frames
+    middle = frames[1:-1] or frames[:1]
+    return sorted({peak, *frames} - {min(middle, key=lambda frame: abs(frame - peak))})
+
+
+def draw_configurations(figure, run, fields):
+    """A row of configurations, see frames_that_matter()."""
+    import fields as configurations  # VTK, too
+    width = style.output.width
+    frames = frames_that_matter(run, fields, PANELS // 2 if width and width < NARROW else PANELS)
     values = [fields.element("first_stress_invariant", frame) for frame in frames]
     colors = style.color_scale("first_stress_invariant", np.array(values))
     wall = wall_height(run.folder)
@@ -158,7 +175,7 @@ def main():
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folder", metavar="RESULTS", help="a results folder (with history.csv)")
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: RESULTS/overview)")
-    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_figure()
     parser.add_si()
     arguments = parser.parse_args()
 

@@ -185,7 +185,7 @@ def main():
                         help="mark these times on the first curve with letters")
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: peeling, speed or "
                         "kinetic, in FOLDER or, for several runs, in the working folder)")
-    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_figure()
     parser.add_si()
     arguments = parser.parse_args()
     for name, needed, given in (("probe", "--speed", arguments.speed),

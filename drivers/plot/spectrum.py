@@ -96,7 +96,7 @@ def main():
                         help="end of the axes of period error and decay, in periods (default: 0.4)")
     parser.add_argument("--output", metavar="NAME", default="spectrum",
                         help="output file, without ending (default: spectrum)")
-    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_figure()
     arguments = parser.parse_args()
 
     groups = read_curves(arguments.file)

@@ -1,5 +1,8 @@
 """One look for all pictures: colours, fonts, labels, the wall, saving."""
+import csv
 import pathlib
+import typing
+import warnings
 
 import matplotlib
 
@@ -14,6 +17,7 @@ from scene_file import ResultsError  # noqa: E402
 # Okabe and Ito's colours, told apart by all eyes, the strongest first.
 COLORS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#6A3D9A", "#8C510A", "#8A8A8A"]
 INK, FAINT = "#303030", "#D9D9D9"
+DPI, PAD = 200, 0.06  # pixels an inch; inches around a figure
 
 FIELD_LABELS = {
     "first_stress_invariant": "first stress invariant /\nYoung's modulus",
@@ -35,7 +39,8 @@ def use_style():
         "axes.spines.top": False, "axes.spines.right": False,
         "axes.grid": True, "grid.color": FAINT, "grid.linewidth": 0.4, "axes.axisbelow": True,
         "axes.prop_cycle": plt.cycler(color=COLORS), "lines.linewidth": 0.9, "lines.solid_capstyle": "round",
-        "legend.frameon": False, "figure.dpi": 100, "savefig.dpi": 200, "svg.fonttype": "none", "hatch.linewidth": 0.5,
+        "legend.frameon": False, "figure.dpi": 100, "savefig.dpi": DPI, "svg.fonttype": "none",
+        "pdf.fonttype": 42, "ps.fonttype": 42, "hatch.linewidth": 0.5,
     })
 
 
@@ -110,15 +115,57 @@ def box(points, wall):
     return (low[0], high[0]), (low[1], high[1])
 
 
+class Output(typing.NamedTuple):
+    """How figures are written."""
+    dpi: int
+    width: float | None = None  # inches; None: as the script draws it
+    data: bool = False  # whether the points of all lines are written, too
+
+
+output = Output(DPI)
+
+
+def fit_width(figure, width):
+    """Gives the figure a width in inches, margins included. Text keeps its size."""
+    for _ in range(8):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)  # of panels without room
+            try:
+                figure.draw_without_rendering()  # lays it out
+            except UserWarning:
+                raise ResultsError(f"a width of {width:.3g} in is too narrow for this figure") from None
+        needed = figure.get_tightbbox(figure.canvas.get_renderer()).width + 2 * PAD
+        own, height = figure.get_size_inches()
+        figure.set_size_inches(max(own + width - needed, 0.3 * width), height)
+
+
+def write_lines(figure, target):
+    """Writes the points of all lines as a table: panel, line, x, y."""
+    with open(target, "w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file)
+        table.writerow(["panel", "line", "x", "y"])
+        for number, axes in enumerate(figure.axes, 1):
+            panel = " ".join((axes.get_ylabel() or axes.get_title() or f"panel {number}").split())
+            for count, line in enumerate(axes.lines, 1):
+                label = line.get_label()
+                label = f"line {count}" if label.startswith("_") else " ".join(label.split())
+                table.writerows([panel, label, float(x), float(y)] for x, y in zip(line.get_xdata(), line.get_ydata()))
+
+
 def save(figure, name, formats):
     """Saves name.png, name.svg, ... and prints what was written; an ending in `name` is the only format."""
     path = pathlib.Path(name)
-    if path.suffix in (".png", ".svg"):
+    if path.suffix in (".png", ".svg", ".pdf", ".eps"):
         path, formats = path.with_suffix(""), [path.suffix[1:]]
-    for ending in formats:
+    if output.width:
+        fit_width(figure, output.width)
+    for ending in [*formats, *(["csv"] if output.data else [])]:
         target = path.parent / f"{path.name}.{ending}"
         try:
-            figure.savefig(target, bbox_inches="tight", pad_inches=0.06)
+            if ending == "csv":
+                write_lines(figure, target)
+            else:
+                figure.savefig(target, bbox_inches="tight", pad_inches=PAD, dpi=output.dpi)
         except OSError as error:
             raise ResultsError(f"{target} cannot be written: {error.strerror}") from None
         print(target)

@@ -35,7 +35,7 @@ def main():
     parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to draw (default: all)")
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: vibration, in "
                         "FOLDER or, for several runs, in the working folder)")
-    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_figure()
     parser.add_si()
     arguments = parser.parse_args()
 

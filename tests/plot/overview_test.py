@@ -64,6 +64,47 @@ class OverviewTest(ScriptTest):
         self.assertIsNone(arrows[0])
         self.assertAlmostEqual(np.hypot(*(arrows[2][1] - arrows[2][0])), 500 / 6)
 
+    def test_the_moment_of_the_largest_force_is_among_the_configurations(self):
+        import overview
+        from results import Run
+        run, fields = Run(self.strip), Fields(self.strip)
+        kept, run.reaction = run.reaction, None
+        for peak in range(len(fields.times)):
+            force = np.where(np.arange(len(run["time"])) == np.argmin(np.abs(run["time"] - fields.times[peak])), 1.0, 0.0)
+            run.reaction = lambda name, force=force: (name or "reaction_right_y", run["time"], force)
+            for count in (2, 4):
+                frames = overview.frames_that_matter(run, fields, count)
+                self.assertIn(peak, frames)
+                self.assertEqual((len(frames), frames[-1]), (count, len(fields.times) - 1))
+        run.reaction = kept
+
+    def test_the_arrow_of_a_body_of_revolution_is_along_its_axis(self):
+        import overview
+        from results import Run
+        run, fields = Run(self.strip), Fields(self.strip)
+        run.body_dimension = 3
+        _, forces = overview.reaction_vectors(run, fields, [0, 3])
+        np.testing.assert_array_equal(forces[:, 0], 0)
+        self.assertNotEqual(forces[1, 1], 0)
+
+    def test_a_figure_for_print_has_its_width_its_fonts_and_its_data(self):
+        name = self.folder / "print"
+        png, pdf, eps, table = self.draw("overview.py", self.strip, "--width", "174mm", "--dpi", "300", "--pdf", "--eps",
+                                         "--format", "png", "--data", "--output", name)
+        self.assert_picture(png, "PNG", *(round(174 / 25.4 * 300) + change for change in (-2, 2)))
+        self.assertIn(b"/FontFile2", pdf.read_bytes())
+        self.assertIn(b"/FontType 42", eps.read_bytes())
+        rows = [line.split(",") for line in table.read_text().splitlines()]
+        self.assertEqual(rows[0], ["panel", "line", "x", "y"])
+        times = [float(row[2]) for row in rows if row[0].startswith("least gap")]
+        self.assertEqual((times[0], times[-1]), (0, 6))
+
+    def test_widths_without_room_are_refused(self):
+        self.assert_refused("is not a width", "overview.py", self.strip, "--width", "86")
+        self.assert_refused("is too narrow for this figure", "history.py", self.strip, "--width", "20mm")
+        self.assert_refused("unknown format 'jpg'; allowed: png, svg, pdf, eps", "overview.py", self.strip, "--format",
+                            "jpg")
+
     def test_without_fields_the_curves_remain(self):
         done = script("overview.py", peel(self.folder / "bare"))
         self.assertEqual(done.returncode, 0, done.stderr)
