@@ -11,9 +11,8 @@ std::vector<Remedy> remedies(const Simulation& simulation) {
   const StepControlOptions& steps = simulation.step_control();
   const Table& table = simulation.integrator().table();
   std::vector<Remedy> all;
-  const int iterations = simulation.parameters().sublist("Nonlinear Solver").get<int>("Maximum Iterations");
-  if (is_static(table) && iterations > 0 && iterations < 1000)
-    all.push_back({"more iterations", "Nonlinear Solver/Maximum Iterations=0"});
+  if (is_static(table) && simulation.parameters().sublist("Nonlinear Solver").get<int>("Snap Iterations") < 1000)
+    all.push_back({"more iterations", "Nonlinear Solver/Snap Iterations=1000"});
   if (!steps.adaptive.on) {
     const bool cuts = steps.maximum_cuts > 0 || is_explicit(table);
     all.push_back({"shorter steps",

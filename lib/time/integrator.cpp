@@ -57,7 +57,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
   states_.front().histories = model.create_histories();
   // Reactions that do work are those before a correction: it would move the balance as much as it mends.
   newton_.corrects = table_.energy_promise > 0 && model.space().maximum(model.constraints().driven() ? 1 : 0) == 0;
-  if (newton_.maximum_iterations == 0 && is_static(table_)) newton_.maximum_iterations = 1000;
+  if (is_static(table_)) newton_.maximum_iterations += newton_.snap_iterations;
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
   if (is_explicit(table_)) {
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);

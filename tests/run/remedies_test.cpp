@@ -42,8 +42,8 @@ TEST(RemediesTest, AnAdaptiveRunHasCutItsStepsAlready) {
 
 TEST(RemediesTest, AQuasiStaticBodyMayTakeMoreIterationsOrMove) {
   EXPECT_EQ(remedies_of("Static"), (Assignments{control + "Maximum Cuts=10", dynamic}));
-  EXPECT_EQ(remedies_of("Static", "", list("Nonlinear Solver", count("Maximum Iterations", 50))),
-            (Assignments{"Nonlinear Solver/Maximum Iterations=0", control + "Maximum Cuts=10", dynamic}));
+  EXPECT_EQ(remedies_of("Static", "", list("Nonlinear Solver", count("Snap Iterations", 0))),
+            (Assignments{"Nonlinear Solver/Snap Iterations=1000", control + "Maximum Cuts=10", dynamic}));
 }
 
 }  // namespace

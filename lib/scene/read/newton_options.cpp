@@ -19,10 +19,11 @@ const Options<NewtonOptions>& options() {
                "it, at most 1e-3.",
                at_least(0))
           .add("Maximum Iterations", &NewtonOptions::maximum_iterations,
-               "Largest number of Newton iterations. A step that needs more fails. 0: 1000 with Static, whose body may "
-               "have "
-               "a long way to go when it snaps, otherwise 100.",
-               between(0, 10000))
+               "Largest number of Newton iterations. A step that needs more fails.", between(1, 10000))
+          .add("Snap Iterations", &NewtonOptions::snap_iterations,
+               "Static: number of Newton iterations that a step may take after Maximum Iterations, because a body that "
+               "snaps has a long way to go to its next equilibrium.",
+               between(0, 100000))
           .free_form("NOX", &NewtonOptions::nox,
                      "Overrides lists of NOX: Printing, Direction, Line Search, ... Another Line Search replaces the "
                      "one that keeps gaps positive; another Direction replaces the one that corrects tangents that are "

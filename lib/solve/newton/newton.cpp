@@ -125,7 +125,7 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
 struct NewtonSolver::Implementation {
   Implementation(NonlinearProblem& given, const LinearSolverFactory& linear_solver, const NewtonOptions& options)
       : problem(given),
-        maximum_iterations(options.maximum_iterations > 0 ? options.maximum_iterations : 100),
+        maximum_iterations(options.maximum_iterations),
         corrects(options.corrects),
         linear(linear_solver.strategy()),
         evaluator(Teuchos::rcp(new ProblemEvaluator(given, linear))),
@@ -137,7 +137,7 @@ struct NewtonSolver::Implementation {
     tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::FiniteValue));
     tests->addStatusTest(force);
     tests->addStatusTest(lost);
-    tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(maximum_iterations)));
+    tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(options.maximum_iterations)));
   }
 
   /// Reads NOX's list; evaluates nothing.

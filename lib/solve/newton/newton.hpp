@@ -11,15 +11,16 @@
 namespace ixos {
 
 struct NewtonOptions {
-  double tolerance = 1e-11;  ///< relative: see NonlinearProblem::convergence_bound
-  /// NOX iterations; more is a failed solve. 0: 100, or 1000 of an Integrator without inertia. A body that snaps goes a
-  /// long way down the potential to its next equilibrium.
-  int maximum_iterations = 0;
-  Teuchos::ParameterList nox;   ///< overrides of NOX's own list
-  double linear_tolerance = 0;  ///< relative residual of the linear solves; 0: a ForcingTerm sets it
+  double tolerance = 1e-11;      ///< relative: see NonlinearProblem::convergence_bound
+  int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve
+  Teuchos::ParameterList nox;    ///< overrides of NOX's own list
+  double linear_tolerance = 0;   ///< relative residual of the linear solves; 0: a ForcingTerm sets it
   /// After convergence, solve once more with the last residual and the last tangent, if a factorisation is kept. The
   /// iteration ends just below its bound, always on the same side: over a million steps such errors add up to a drift.
   bool corrects = false;
+  /// Further iterations of an Integrator without inertia: a body that snaps goes a long way down the potential to its
+  /// next equilibrium.
+  int snap_iterations = 1000;
 };
 
 /// The result of a solve. A failure is a status, not an exception.
