@@ -52,6 +52,7 @@ const char* const examples =
     "  ixos-study --scan xml/pillar.xml --vary \"Materials/Polymer/Young's Modulus=0.5:2:4:log\" --collect \"peak "
     "reaction_top_y\"  run each value\n"
     "  ixos-study --advise xml/strip.xml --quantity \"peak reaction_right_y\" --tolerance 1%  recommend settings\n";
+
 /// A picture or a report that a script makes of a results folder.
 struct Product {
   const char* script;

@@ -8,6 +8,7 @@ from typing import Any, Callable, Iterable, Mapping
 import numpy as np
 
 from . import _core
+from ._core import InputError
 from .study import find_driver
 
 
@@ -34,9 +35,13 @@ def scan(scene: str | os.PathLike, vary: Mapping[str, str | Iterable], collect: 
     def text(values):
         return values if isinstance(values, str) else "{" + ", ".join(str(value) for value in values) + "}"
 
+    numbers = words(collect)
+    for number in numbers:
+        if numbers.count(number) > 1 or number in _REST or number in [path.rpartition("/")[2] for path in vary]:
+            raise InputError(f"collect: two columns would have the name \"{number}\"")
     folder = os.fspath(output) if output is not None else pathlib.Path(scene).stem + "-scan.results"
     names, quantities, rows = _core.scan(
-        os.fspath(scene), [f"{path}={text(values)}" for path, values in vary.items()], words(collect), words(set), folder,
+        os.fspath(scene), [f"{path}={text(values)}" for path, values in vary.items()], numbers, words(set), folder,
         os.fspath(driver or find_driver()), jobs, overwrite, observer)
     table = [tuple([_value(label) for label in row["labels"]] + row["values"] + [row[name] for name in _REST])
              for row in rows]

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "base/error.hpp"
@@ -21,6 +22,15 @@
 namespace ixos {
 namespace {
 
+/// Returns the scan in words, by which its folder is recognised: other values of the same parameters are the same scan.
+std::string owner(const Scan& scan) {
+  std::string text = "the scan of " + std::filesystem::absolute(scan.scene).lexically_normal().string() + " over";
+  for (const VariedParameter& varied : scan.varied)
+    text += (&varied == &scan.varied.front() ? " " : ", ") + varied.path;
+  for (const std::string& assignment : scan.common) text += ", with " + assignment;
+  return printable(text);
+}
+
 /// Returns the row of a finished run. A failed run has the quantities that were decided before it failed.
 ScanRow row_of(const RunPool& pool, const StudyRun& run, const std::vector<AskedQuantity>& quantities) {
   ScanRow row{pool.record(run), {}};
@@ -28,7 +38,6 @@ ScanRow row_of(const RunPool& pool, const StudyRun& run, const std::vector<Asked
   if (!row.reached_its_end() && !row.failed_with_rows()) return row;
   const RunHistory history(pool.folder(run));
   for (std::size_t i = 0; i < quantities.size(); ++i) {
-    quantities[i].check_columns(history.table().names());
     if (!row.reached_its_end() && !quantities[i].is_decided(history)) continue;
     try {
       row.values[i] = quantities[i].value(history);
@@ -39,11 +48,18 @@ ScanRow row_of(const RunPool& pool, const StudyRun& run, const std::vector<Asked
   return row;
 }
 
+/// Refuses quantities that need a column which the first run lacks: so would all others.
+void check_columns(const RunPool& pool, const ScanRow& row, const std::vector<AskedQuantity>& quantities) {
+  if (!row.reached_its_end() && !row.failed_with_rows()) return;
+  const RunHistory history(pool.folder(row.run));
+  for (const AskedQuantity& quantity : quantities) quantity.check_columns(history.table().names());
+}
+
 void name_apart(std::vector<VariedParameter>& varied) {
-  for (VariedParameter& one : varied) {
-    const auto same = [&](const VariedParameter& other) { return other.name == one.name && other.path != one.path; };
-    if (std::any_of(varied.begin(), varied.end(), same)) one.name = one.path;
-  }
+  std::map<std::string, int> uses;
+  for (const VariedParameter& one : varied) ++uses[one.name];
+  for (VariedParameter& one : varied)
+    if (uses[one.name] > 1) one.name = one.path;
 }
 
 }  // namespace
@@ -81,15 +97,14 @@ ScanOutcome run_scan(Scan scan, const ScanOptions& options) {
   std::error_code code;
   std::filesystem::create_directories(options.folder, code);
   if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
-  const std::string scene = std::filesystem::absolute(scan.scene).lexically_normal().string();
-  const ResultsFolder held(options.folder, printable("the scan of " + scene), options.overwrite);
+  const ResultsFolder held(options.folder, owner(scan), options.overwrite);
   const RunPool pool({options.folder + "/runs", scan.scene, options.driver, options.version, 0, options.interrupted});
   std::vector<std::optional<ScanRow>> found(runs.size());
   std::size_t done = 0;
   ScanOutcome outcome;
   outcome.complete = pool.carry_out(runs, options.jobs, [&](std::size_t number, bool reused) {
     found[number] = row_of(pool, runs[number], scan.quantities);
-    ++done;
+    if (++done == 1) check_columns(pool, *found[number], scan.quantities);
     if (options.watch) options.watch(*found[number], done, reused);
   });
   for (std::optional<ScanRow>& row : found)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -42,8 +43,9 @@ std::vector<std::string> spread(const std::string& text, const std::vector<std::
   const int last = static_cast<int>(*count) - 1;
   for (int i = 0; i <= last; ++i) {
     const double share = static_cast<double>(i) / last;
-    const double value = logarithmic ? *from * std::pow(*to / *from, share) : *from + share * (*to - *from);
+    double value = logarithmic ? *from * std::pow(*to / *from, share) : *from + share * (*to - *from);
     const bool is_end = i == 0 || i == last;
+    if (std::abs(value) < 1e-12 * std::max(std::abs(*from), std::abs(*to))) value = 0;
     values.push_back(fmt::format("{:.{}g}", i == last ? *to : value, logarithmic && !is_end ? 6 : 12));
   }
   return values;
@@ -68,6 +70,7 @@ VariedParameter read_varied(const std::string& text) {
     words = spread(text, parts, varied.logarithmic);
   }
   for (const std::string& word : words) {
+    if (word.empty()) refuse(text, "a value is empty");
     for (const AxisValue& before : varied.values)
       if (before.label == word) refuse(text, fmt::format("\"{}\" is given twice", word));
     varied.values.push_back({word, {varied.path + "=" + word}});

@@ -17,6 +17,7 @@ Labels labels(const std::string& text) {
 
 TEST(VariedParameterTest, RangesHaveEqualDistancesOrEqualRatios) {
   EXPECT_EQ(labels("A/B=0.1:0.5:5"), (Labels{"0.1", "0.2", "0.3", "0.4", "0.5"}));
+  EXPECT_EQ(labels("A/B=-0.1:0.6:8")[1], "0");
   EXPECT_EQ(labels("A/B=3:1:3"), (Labels{"3", "2", "1"}));
   EXPECT_EQ(labels("A/B=0.01:100:5:log"), (Labels{"0.01", "0.1", "1", "10", "100"}));
   EXPECT_EQ(labels("A/B=1:2:3:log"), (Labels{"1", "1.41421", "2"}));
@@ -47,6 +48,8 @@ TEST(VariedParameterTest, WhatIsNoRangeIsRefused) {
   expect("A/B=1:2:20000", "the number of values is \"20000\"");
   expect("A/B=2:2:3", "both ends are equal");
   expect("A/B=0:2:3:log", "equal ratios need two ends of one sign");
+  expect("A/B={1, , 2}", "a value is empty");
+  expect("A/B={}", "a value is empty");
   expect("A/B={1, 2, 1}", "\"1\" is given twice");
 }
 
