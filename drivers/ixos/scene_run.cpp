@@ -80,6 +80,16 @@ RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tel
   return result;
 }
 
+int tell_failure(const RunResult& result, const Comm& comm) {
+  if (comm->getRank() == 0) {
+    console::complain("ixos: the run ended at t = {:.6g} T0, after {} steps: {}\n", result.end_time, result.steps,
+                      printable(result.reason));
+    for (const Remedy& remedy : result.remedies)
+      console::complain("ixos: {} may help: --set {}\n", remedy.what, printable(shell_word(remedy.assignment)));
+  }
+  return result.status == RunStatus::Diverged ? 3 : 5;
+}
+
 int report_end(const RunResult& result, const Arguments& arguments, const Comm& comm) {
   const std::string folder = printable(results_folder(arguments));
   if (result.status == RunStatus::Completed || result.status == RunStatus::Stopped) {

@@ -27,6 +27,9 @@ void warn(const std::vector<Warning>& warnings);
 RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tells = true,
                     const std::function<std::string(const Progress&)>& observe = {});
 
+/// Tells why a run without results failed, and what may help, on the first rank. Returns the exit status.
+int tell_failure(const RunResult& result, const Comm& comm);
+
 /// Tells how the run ended, on the first rank. Returns the exit status.
 int report_end(const RunResult& result, const Arguments& arguments, const Comm& comm);
 

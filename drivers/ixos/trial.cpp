@@ -17,6 +17,7 @@ namespace {
 
 constexpr long most_steps = 20;
 constexpr double most_seconds = 20;
+const char* const tried = "tried";
 
 /// A new folder, which goes with its object. Collective.
 class OwnFolder {
@@ -28,8 +29,8 @@ class OwnFolder {
         throw InputError("--try: " + path_ + " exists, where the steps would be written; remove it");
     });
   }
+  /// Does not wait for the other ranks, of which one may have failed.
   ~OwnFolder() {
-    comm_->barrier();
     std::error_code code;  // what is left of a trial does no harm
     if (comm_->getRank() == 0) std::filesystem::remove_all(path_, code);
   }
@@ -43,7 +44,7 @@ class OwnFolder {
 
 /// Returns seconds in words: "4.2 s", "13 min", "7.5 h".
 std::string duration(double seconds) {
-  if (seconds < 100) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 99.5) return fmt::format("{:.2g} s", seconds);
   if (seconds < 6000) return fmt::format("{:.0f} min", seconds / 60);
   if (seconds < 2 * 86400) return fmt::format("{:.1f} h", seconds / 3600);
   return fmt::format("{:.1f} days", seconds / 86400);
@@ -70,17 +71,21 @@ std::string forecast(const Simulation& simulation, const RunResult& result) {
 int try_scene(Simulation& simulation, const Arguments& arguments) {
   const Comm& comm = simulation.model().space().comm();
   Arguments own = arguments;
-  own.output = results_folder(arguments) + ".try";
+  own.output = std::filesystem::path(results_folder(arguments) + "/").parent_path().string() + ".try";
   const OwnFolder folder(comm, own.output);
-  RunResult result = carry_out(simulation, own, true, [](const Progress& progress) -> std::string {
-    return progress.step >= most_steps || progress.wall_seconds >= most_seconds ? "tried" : "";
+  const RunResult result = carry_out(simulation, own, true, [](const Progress& progress) -> std::string {
+    return progress.step >= most_steps || progress.wall_seconds >= most_seconds ? tried : "";
   });
-  if (speaks(arguments, comm) && result.steps > 0) console::say("{}\n", forecast(simulation, result));
+  comm->barrier();  // all files are closed
   const bool failed = result.status == RunStatus::Diverged || result.status == RunStatus::Interrupted;
-  result.checkpoint.clear();
-  const int status = failed ? report_end(result, own, comm) : 0;
-  if (speaks(arguments, comm)) warn(result.findings);
-  return status;
+  if (failed) return tell_failure(result, comm);
+  if (!speaks(arguments, comm)) return 0;
+  if (result.status == RunStatus::Completed || result.reason == tried)
+    console::say("{}\n", forecast(simulation, result));
+  else
+    console::say("The run stops after {} steps: {}\n", result.steps, printable(result.reason));
+  warn(result.findings);
+  return 0;
 }
 
 }  // namespace ixos

@@ -33,7 +33,11 @@ void JumpWatch::transfer(Record& record) {
   record.number("released", jumps_.largest.released);
   record.number("from", jumps_.largest.from);
   record.number("to", jumps_.largest.to);
-  if (record.loading() && !record.has_section("all")) return;  // of 0.2.0
+  if (record.loading() && !record.has_section("all")) {  // 0.2.0 knew the largest alone
+    jumps_.count = jumps_.largest.released > 0 ? 1 : 0;
+    jumps_.released = jumps_.largest.released;
+    return;
+  }
   const Record::Section all(record, "all");
   record.number("count", jumps_.count);
   record.number("released", jumps_.released);

@@ -13,8 +13,8 @@ struct Remedy {
   std::string assignment;  ///< as of --set: "Time Integrator/Time Step Control/Maximum Cuts=10"
 };
 
-/// Returns what differs from the present settings and may help, the most likely one first; nothing of an adaptive run
-/// with inertia, which has cut its steps already.
-std::vector<Remedy> remedies(const Simulation& simulation);
+/// Returns what differs from the present settings and may help a step that failed for this reason, the most likely one
+/// first.
+std::vector<Remedy> remedies(const Simulation& simulation, const std::string& reason);
 
 }  // namespace ixos

@@ -224,11 +224,11 @@ void Run::warn_of_jump() {
 void Run::tell_of_jump() const {
   constexpr long told = 3;
   const Jump& jump = measures_.jump();
-  if (jump.released > 0 && measures_.jumps().count <= told)
-    log(
-        fmt::format("The body jumped to another equilibrium between t = {:.6g} and {:.6g} T0, and released {:.3g} "
-                    "E0 L0^D.",
-                    jump.from, jump.to, jump.released));
+  if (!(jump.released > 0) || measures_.jumps().count > told) return;
+  log(fmt::format(
+      "The body jumped to another equilibrium, one of perhaps several, between t = {:.6g} and {:.6g} T0, and "
+      "released {:.3g} E0 L0^D.",
+      jump.from, jump.to, jump.released));
 }
 
 /// Verifies the existing files, then continues them. Changes nothing if one does not match the checkpoint.
@@ -258,9 +258,14 @@ bool Run::interlude() {
 void Run::step() {
   const double before = integrator_.time();
   const double dt = control_.next(before, stable_);
-  if (!(dt >= control_.least()) && control_.next(before) >= control_.least())
-    return fail(fmt::format("the stable step, {:.3g} T0, is shorter than the shortest one allowed, {:.3g} T0", dt,
-                            control_.least()));
+  if (!(dt >= control_.least()) && control_.next(before) >= control_.least()) {
+    fail(fmt::format("the stable step, {:.3g} T0, is shorter than the shortest one allowed, {:.3g} T0", dt,
+                     control_.least()));
+    if (times_.minimum_step > 0)
+      result_.remedies = {
+          {"shorter steps", fmt::format("Time Integrator/Time Step Control/Minimum Time Step={:.3g}", dt / 10)}};
+    return;
+  }
   if (!(before + dt > before)) return fail(fmt::format("a step of {:.3g} T0 is lost in rounding", dt));
   const StepResult step = integrator_.attempt(dt);
   result_.linear_iterations += step.linear_iterations;
@@ -272,12 +277,15 @@ void Run::step() {
     if (step.crossed) measures_.crossed();
     if (control_.cut(dt)) return;
     fail(step.reason + hints(step));
-    result_.remedies = remedies(simulation_);
+    result_.remedies = remedies(simulation_, step.reason);
     return;
   }
   if (times_.adaptive.on && !judge_step(integrator_, times_.adaptive, dt, control_)) {
     ++result_.rejected_steps;
-    if (control_.exhausted(result_.reason)) result_.status = RunStatus::Diverged;
+    if (control_.exhausted(result_.reason)) {
+      result_.status = RunStatus::Diverged;
+      result_.remedies = remedies(simulation_, result_.reason);
+    }
     return;
   }
   if (watch_.on()) watch_.step(integrator_);
@@ -367,7 +375,10 @@ void Run::end() {
   }
   const bool has_row = files_.recorded();
   files_.finish();
-  if (!has_row) measures_.row(files_.history());
+  if (!has_row) {
+    measures_.row(files_.history());
+    tell_of_jump();
+  }
   result_.end_time = integrator_.time();
   result_.wall_seconds = clock_.seconds();
   result_.max_energy_error = files_.history().max_energy_error();

@@ -270,8 +270,8 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   rounding_here_ = 2 * std::numeric_limits<double>::epsilon() *
                    ((diagonal_ + stiffness_ - model_.scales().elastic) * norm + std::sqrt(sums[6]));
   // Without an equilibrium a body flies off until the rounding of u passes any load.
-  lost_ = norm > reach_;
-  if (lost_) rounding_here_ = 0;
+  if (norm > reach_) rounding_here_ = 0;
+  lost_ = norm > 10 * reach_ && !has_springs(model_);
   scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);

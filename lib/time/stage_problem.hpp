@@ -108,7 +108,7 @@ class StageProblem final : public NonlinearProblem {
   double load_norm_ = 0;
   double scale_ = 0;     ///< largest of the four norms at the last residual
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual
-  bool lost_ = false;    ///< u is beyond reach_ at the last residual
+  bool lost_ = false;    ///< u is far beyond reach_ at the last residual, and no spring holds the body
   int relaxation_ = 0;
 
   Balance balance_;

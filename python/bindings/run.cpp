@@ -84,9 +84,11 @@ void bind_run(py::module_& module, SimulationClass& simulation) {
       .def_property_readonly(
           "jumps",
           [](const RunResult& r) {
-            return py::dict(py::arg("count") = r.jumps.count, py::arg("released") = r.jumps.released);
+            return py::dict(py::arg("count") = r.jumps.count, py::arg("released") = r.jumps.released,
+                            py::arg("largest") = r.jumps.largest.released);
           },
-          "Number of jumps of a quasi-static run to other equilibria, and the energy that they released [E0 L0^D].")
+          "Number of jumps of a quasi-static run to other equilibria, and the energy that they released, and that of "
+          "the largest [E0 L0^D].")
       .def_property_readonly("warnings", [](const RunResult& r) { return messages(r.warnings); })
       .def_property_readonly("findings", [](const RunResult& r) { return messages(r.findings); })
       .def("__repr__", [](const RunResult& r) {

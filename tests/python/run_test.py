@@ -140,7 +140,7 @@ class RunTest(FolderTest):
     def test_lines_are_told(self):
         lines = []
         done = free_block(steps=4).run(self.folder / "run", log=lines.append)
-        self.assertEqual(done.jumps, {"count": 0, "released": 0})
+        self.assertEqual(done.jumps, {"count": 0, "released": 0, "largest": 0})
         free_block(steps=4).run(self.folder / "run", log=lines.append, restart=self.folder / "run")
         self.assertTrue(any(line.startswith("Resumes from") for line in lines), lines)
 

@@ -19,7 +19,8 @@ const Options<NewtonOptions>& options() {
                "it, at most 1e-3.",
                at_least(0))
           .add("Maximum Iterations", &NewtonOptions::maximum_iterations,
-               "Largest number of Newton iterations. A step that needs more fails.", between(1, 10000))
+               "Largest number of Newton iterations. A step that needs more fails; with Static see Snap Iterations.",
+               between(1, 10000))
           .add("Snap Iterations", &NewtonOptions::snap_iterations,
                "Static: number of Newton iterations that a step may take after Maximum Iterations, because a body that "
                "snaps has a long way to go to its next equilibrium.",

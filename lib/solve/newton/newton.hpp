@@ -12,7 +12,7 @@ namespace ixos {
 
 struct NewtonOptions {
   double tolerance = 1e-11;      ///< relative: see NonlinearProblem::convergence_bound
-  int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve
+  int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve, see also snap_iterations
   Teuchos::ParameterList nox;    ///< overrides of NOX's own list
   double linear_tolerance = 0;   ///< relative residual of the linear solves; 0: a ForcingTerm sets it
   /// After convergence, solve once more with the last residual and the last tangent, if a factorisation is kept. The
