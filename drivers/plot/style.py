@@ -18,6 +18,7 @@ from scene_file import ResultsError  # noqa: E402
 COLORS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#6A3D9A", "#8C510A", "#8A8A8A"]
 INK, FAINT = "#303030", "#D9D9D9"
 DPI, PAD = 200, 0.06  # pixels an inch; inches around a figure
+DATA = "-data.csv"  # ends the names of tables: history.csv is the run's
 
 FIELD_LABELS = {
     "first_stress_invariant": "first stress invariant /\nYoung's modulus",
@@ -129,7 +130,7 @@ def fit_width(figure, width):
     """Gives the figure a width in inches, margins included. Text keeps its size."""
     for _ in range(8):
         with warnings.catch_warnings():
-            warnings.simplefilter("error", UserWarning)  # of panels without room
+            warnings.filterwarnings("error", ".*collapsed to zero.*", UserWarning)  # of panels without room
             try:
                 figure.draw_without_rendering()  # lays it out
             except UserWarning:
@@ -159,10 +160,10 @@ def save(figure, name, formats):
         path, formats = path.with_suffix(""), [path.suffix[1:]]
     if output.width:
         fit_width(figure, output.width)
-    for ending in [*formats, *(["csv"] if output.data else [])]:
-        target = path.parent / f"{path.name}.{ending}"
+    for ending in [*(f".{kind}" for kind in formats), *([DATA] if output.data else [])]:
+        target = path.parent / f"{path.name}{ending}"
         try:
-            if ending == "csv":
+            if ending == DATA:
                 write_lines(figure, target)
             else:
                 figure.savefig(target, bbox_inches="tight", pad_inches=PAD, dpi=output.dpi)

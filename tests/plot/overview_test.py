@@ -94,10 +94,16 @@ class OverviewTest(ScriptTest):
         self.assert_picture(png, "PNG", *(round(174 / 25.4 * 300) + change for change in (-2, 2)))
         self.assertIn(b"/FontFile2", pdf.read_bytes())
         self.assertIn(b"/FontType 42", eps.read_bytes())
+        self.assertEqual(table, self.folder / "print-data.csv")
         rows = [line.split(",") for line in table.read_text().splitlines()]
         self.assertEqual(rows[0], ["panel", "line", "x", "y"])
         times = [float(row[2]) for row in rows if row[0].startswith("least gap")]
         self.assertEqual((times[0], times[-1]), (0, 6))
+
+    def test_the_data_of_a_picture_leave_the_runs_history_alone(self):
+        before = (self.strip / "history.csv").read_bytes()
+        self.assertIn(self.strip / "history-data.csv", self.draw("history.py", self.strip, "--data"))
+        self.assertEqual((self.strip / "history.csv").read_bytes(), before)
 
     def test_widths_without_room_are_refused(self):
         self.assert_refused("is not a width", "overview.py", self.strip, "--width", "86")
