@@ -11,7 +11,7 @@ struct ScanArguments {
   std::vector<std::string> varied, quantities;
 };
 
-/// What the command's other options say.
+/// Values of the command's other options.
 struct ScanSettings {
   std::vector<std::string> assignments;
   std::string output;

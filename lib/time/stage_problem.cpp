@@ -122,8 +122,8 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
       at_u_.forces_of == stage_ && u_ == known[0].u && !has_moved_obstacles(model_) && !has_histories(model_);
   const auto keep = [&](Part part, const Rule& rule) {
     if (rule.kept_weight == 0) return;
-    // A rule with equal weights at both ends has its kept part as the force of its own point, to the last bit: no other
-    // function repeats the rounding of the step before, from which a restart must not differ.
+    // A rule with equal weights at both ends takes its own point at the start: no other function repeats the rounding
+    // of the step before, from which a restart must not differ.
     const bool has_kept = rule.mean == Mean::Points && rule.points.size() == 1 &&
                           rule.points[0].weight == rule.kept_weight && rule.points[0].to == 1 && !rule.uses_start() &&
                           !rule.uses_velocity();

@@ -312,7 +312,7 @@ TEST_F(DriverTest, AFailedStepIsExitStatusThreeWithResultsOnDisk) {
   EXPECT_NE(contents(folder_ + "/out/history.csv").find("\n0,0,"), std::string::npos);
 }
 
-// The pillar snaps off in more than four iterations. The first of the commands goes on to the end.
+// The pillar snaps off in more than four iterations. The first command resumes and completes the run.
 TEST_F(DriverTest, AFailedRunOffersToResumeWithOtherSettings) {
   const std::string pillar = std::string(IXOS_XML_DIRECTORY) + "/pillar.xml";
   const std::vector<std::string> short_form = {pillar,

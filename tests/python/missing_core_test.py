@@ -1,4 +1,4 @@
-"""What an import says if the compiled part of the module is missing."""
+"""The message of an import without the compiled part of the module."""
 import pathlib
 import shutil
 import subprocess

@@ -44,7 +44,7 @@ struct ScanOutcome {
 /// say. Throws InputError.
 std::vector<StudyRun> runs_of(Scan& scan);
 
-/// Carries out the runs that have no result yet, each in a process of its own, and writes scan.csv and scan.json. A
+/// Carries out the runs that have no result yet, each as a process, and writes scan.csv and scan.json. A
 /// scan may be killed at any time, and resumes from the runs that are done. Throws InputError, also for a quantity that
 /// needs a column which history.csv lacks, and if the folder holds the results of another scan; and FileError.
 ScanOutcome run_scan(Scan scan, const ScanOptions& options);
