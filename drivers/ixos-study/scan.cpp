@@ -10,21 +10,12 @@
 
 #include "base/printable.hpp"
 #include "console.hpp"
-#include "shell_word.hpp"
+#include "scan_command.hpp"
 #include "signals.hpp"
 #include "study/scan/scan_table.hpp"
 
 namespace ixos {
 namespace {
-
-/// Returns the command that repeats a scan.
-std::string command_of(const ScanArguments& arguments, const ScanSettings& settings) {
-  std::string text = "ixos-study --scan " + shell_word(arguments.scene);
-  for (const std::string& varied : arguments.varied) text += " --vary " + shell_word(varied);
-  for (const std::string& quantity : arguments.quantities) text += " --collect " + shell_word(quantity);
-  for (const std::string& assignment : settings.assignments) text += " --set " + shell_word(assignment);
-  return text + (settings.output.empty() ? "" : " --output " + shell_word(settings.output));
-}
 
 bool has_value(const ScanRow& row) {
   for (const double value : row.values)
@@ -66,12 +57,9 @@ std::string scan_folder(const ScanArguments& arguments, const std::string& outpu
 }
 
 int scan(const ScanArguments& arguments, const ScanSettings& settings) {
-  Scan asked{arguments.scene, settings.assignments, {}, {}};
-  for (const std::string& text : arguments.varied) asked.varied.push_back(read_varied(text));
-  for (const std::string& text : arguments.quantities) asked.quantities.emplace_back(text);
-  const std::vector<StudyRun> runs = runs_of(asked);
+  const Scan asked = read_scan(arguments.scene, settings.assignments, arguments.varied, arguments.quantities);
   if (settings.list) {
-    for (const StudyRun& run : runs)
+    for (const StudyRun& run : asked.runs)
       console::say("{}: {}\n", run.name, printable(fmt::format("{}", fmt::join(run.settings, "; "))));
     return 0;
   }
@@ -81,14 +69,15 @@ int scan(const ScanArguments& arguments, const ScanSettings& settings) {
   ScanOptions options;
   options.folder = scan_folder(arguments, settings.output);
   options.driver = settings.driver;
-  options.command = command_of(arguments, settings);
+  options.command =
+      scan_command(arguments.scene, arguments.varied, arguments.quantities, settings.assignments, settings.output);
   options.version = IXOS_VERSION;
   options.jobs = settings.jobs;
   options.overwrite = settings.overwrite;
   options.interrupted = signalled;
   if (!settings.quiet)
     options.watch = [&](const ScanRow& row, std::size_t done, bool reused) {
-      print_run(row, done, runs.size(), reused);
+      print_run(row, done, asked.runs.size(), reused);
     };
   catch_signals();
   const ScanOutcome outcome = run_scan(asked, options);

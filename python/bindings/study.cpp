@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "scan_command.hpp"
 #include "scene_list.hpp"
 #include "shell_word.hpp"
 #include "study/compare/study_runner.hpp"
@@ -121,14 +122,7 @@ py::tuple run_scan_of(const std::string& scene, const std::vector<std::string>& 
   options.folder = folder;
   options.driver = driver;
   options.version = IXOS_VERSION;
-  options.command = "ixos-study --scan " + shell_word(scene);
-  const auto add = [&](const char* option, const std::vector<std::string>& words) {
-    for (const std::string& word : words) options.command += std::string(option) + shell_word(word);
-  };
-  add(" --vary ", varied);
-  add(" --collect ", quantities);
-  add(" --set ", settings);
-  options.command += " --output " + shell_word(folder);
+  options.command = scan_command(scene, varied, quantities, settings, folder);
   options.jobs = jobs;
   options.overwrite = overwrite;
   options.interrupted = [&] { return stopped(); };
@@ -136,23 +130,22 @@ py::tuple run_scan_of(const std::string& scene, const std::vector<std::string>& 
     stopped.tell(
         watch, [&] { return scan_row(result); }, done, reused);
   };
-  Scan scan{scene, settings, {}, {}};
+  Scan scan;
   ScanOutcome outcome;
   {
     const py::gil_scoped_release free;
     outcome = at_scene(scene, {}, [&] {
-      for (const std::string& text : varied) scan.varied.push_back(read_varied(text));
-      for (const std::string& text : quantities) scan.quantities.emplace_back(text);
-      runs_of(scan);  // completes the quantities
+      scan = read_scan(scene, settings, varied, quantities);
       return run_scan(scan, options);
     });
   }
   stopped.rethrow();
-  std::vector<std::string> names;
-  for (const AskedQuantity& quantity : scan.quantities) names.push_back(quantity.text());
+  std::vector<std::string> names, collected;
+  for (const VariedParameter& parameter : scan.varied) names.push_back(parameter.name);
+  for (const AskedQuantity& quantity : scan.quantities) collected.push_back(quantity.text());
   py::list rows;
   for (const ScanRow& result : outcome.rows) rows.append(scan_row(result));
-  return py::make_tuple(outcome.names, names, rows);
+  return py::make_tuple(names, collected, rows);
 }
 
 py::list runs(const StudyFile& file) {

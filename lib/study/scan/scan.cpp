@@ -62,54 +62,62 @@ void name_apart(std::vector<VariedParameter>& varied) {
     if (uses[one.name] > 1) one.name = one.path;
 }
 
+/// Returns the quantities that a complete scene names.
+std::vector<AskedQuantity> quantities_of(Teuchos::ParameterList& scene) {
+  std::vector<AskedQuantity> quantities;
+  at("Output/Quantities", [&] {
+    for (const auto& text : scene.sublist("Output").get<Teuchos::Array<std::string>>("Quantities"))
+      quantities.emplace_back(text);
+  });
+  if (quantities.empty())
+    throw InputError("--collect is missing, and the scene names no Output/Quantities; give one of\n" +
+                     quantity_forms());
+  return quantities;
+}
+
 }  // namespace
 
-std::vector<StudyRun> runs_of(Scan& scan) {
-  name_apart(scan.varied);
-  for (std::size_t i = 0; i < scan.varied.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (scan.varied[i].path == scan.varied[j].path)
+Scan read_scan(const std::string& scene, const Assignments& common, const std::vector<std::string>& varied,
+               const std::vector<std::string>& quantities) {
+  Scan scan{scene, common, {}, {}, {}};
+  for (const std::string& text : varied) {
+    scan.varied.push_back(read_varied(text));
+    for (std::size_t i = 0; i + 1 < scan.varied.size(); ++i)
+      if (scan.varied[i].path == scan.varied.back().path)
         throw InputError("--vary: \"" + scan.varied[i].path + "\" is varied twice");
-  const std::vector<Axis> axes(scan.varied.begin(), scan.varied.end());
-  std::vector<StudyRun> runs = combinations(axes, scan.common);
-  const Teuchos::ParameterList scene = read_scene_file(scan.scene);
-  for (const StudyRun& run : runs) {
+  }
+  name_apart(scan.varied);
+  for (const std::string& text : quantities) scan.quantities.emplace_back(text);
+  scan.runs = combinations({scan.varied.begin(), scan.varied.end()}, common);
+  const Teuchos::ParameterList file = read_scene_file(scene);
+  for (const StudyRun& run : scan.runs) {
     Teuchos::ParameterList complete;
     try {
-      complete = complete_scene(with_settings(scene, run.settings));
+      complete = complete_scene(with_settings(file, run.settings));
     } catch (const InputError& error) {
       throw InputError("run " + run.name + ": " + error.what());
     }
-    if (!scan.quantities.empty()) continue;
-    at("Output/Quantities", [&] {
-      for (const auto& text : complete.sublist("Output").get<Teuchos::Array<std::string>>("Quantities"))
-        scan.quantities.emplace_back(text);
-    });
-    if (scan.quantities.empty())
-      throw InputError("--collect is missing, and the scene names no Output/Quantities; give one of\n" +
-                       quantity_forms());
+    if (scan.quantities.empty()) scan.quantities = quantities_of(complete);
   }
-  return runs;
+  return scan;
 }
 
-ScanOutcome run_scan(Scan scan, const ScanOptions& options) {
-  const std::vector<StudyRun> runs = runs_of(scan);
+ScanOutcome run_scan(const Scan& scan, const ScanOptions& options) {
   std::error_code code;
   std::filesystem::create_directories(options.folder, code);
   if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
   const ResultsFolder held(options.folder, owner(scan), options.overwrite);
   const RunPool pool({options.folder + "/runs", scan.scene, options.driver, options.version, 0, options.interrupted});
-  std::vector<std::optional<ScanRow>> found(runs.size());
+  std::vector<std::optional<ScanRow>> found(scan.runs.size());
   std::size_t done = 0;
   ScanOutcome outcome;
-  outcome.complete = pool.carry_out(runs, options.jobs, [&](std::size_t number, bool reused) {
-    found[number] = row_of(pool, runs[number], scan.quantities);
+  outcome.complete = pool.carry_out(scan.runs, options.jobs, [&](std::size_t number, bool reused) {
+    found[number] = row_of(pool, scan.runs[number], scan.quantities);
     if (++done == 1) check_columns(pool, *found[number], scan.quantities);
     if (options.watch) options.watch(*found[number], done, reused);
   });
   for (std::optional<ScanRow>& row : found)
     if (row) outcome.rows.push_back(std::move(*row));
-  for (const VariedParameter& varied : scan.varied) outcome.names.push_back(varied.name);
   write_scan(scan, outcome.rows, options);
   return outcome;
 }

@@ -14,7 +14,8 @@ struct Scan {
   std::string scene;   ///< path of the scene's file
   Assignments common;  ///< changes of the scene in all runs
   std::vector<VariedParameter> varied;
-  std::vector<AskedQuantity> quantities;  ///< empty: Output/Quantities of the scene
+  std::vector<AskedQuantity> quantities;
+  std::vector<StudyRun> runs;  ///< all combinations of the values, the last parameter running fastest
 };
 
 /// A run, with a value for each quantity: NaN if it has none, and the record's reason then says why.
@@ -35,18 +36,18 @@ struct ScanOptions {
 };
 
 struct ScanOutcome {
-  bool complete = false;           ///< or it was interrupted
-  std::vector<ScanRow> rows;       ///< of the finished runs, the last parameter running fastest
-  std::vector<std::string> names;  ///< of the varied parameters, in scan.csv and scan.json
+  bool complete = false;      ///< or it was interrupted
+  std::vector<ScanRow> rows;  ///< of the finished runs, in the scan's order
 };
 
-/// Completes the scan with the scene's quantities and returns its runs, all of them checked against what the scene may
-/// say. Throws InputError.
-std::vector<StudyRun> runs_of(Scan& scan);
+/// Returns the scan of a scene's file with ranges as read_varied() takes them, and quantities: Output/Quantities of the
+/// scene if there are none. All runs are checked against what the scene may say. Throws InputError.
+Scan read_scan(const std::string& scene, const Assignments& common, const std::vector<std::string>& varied,
+               const std::vector<std::string>& quantities);
 
 /// Carries out the runs that have no result yet, each as a process, and writes scan.csv and scan.json. A
 /// scan may be killed at any time, and resumes from the runs that are done. Throws InputError, also for a quantity that
 /// needs a column which history.csv lacks, and if the folder holds the results of another scan; and FileError.
-ScanOutcome run_scan(Scan scan, const ScanOptions& options);
+ScanOutcome run_scan(const Scan& scan, const ScanOptions& options);
 
 }  // namespace ixos
