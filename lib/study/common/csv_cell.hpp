@@ -1,5 +1,8 @@
 /// Cells of tables with commas.
 #pragma once
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 
 namespace ixos {
@@ -11,5 +14,8 @@ inline std::string csv_cell(const std::string& cell) {
   for (const char c : cell) text += c == '"' ? std::string("\"\"") : std::string(1, c);
   return text + "\"";
 }
+
+/// Returns a number as a cell, to its last digit; an empty one if it is not finite.
+inline std::string csv_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
 }  // namespace ixos

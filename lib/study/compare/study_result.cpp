@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::size_t first_measures = 4;  ///< that stand before the costs
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
-
 std::string table(const Study& study, const std::vector<StudyResult>& results) {
   std::string text = "run";
   for (const Axis& axis : study.axes) text += "," + csv_cell(axis.name);
@@ -33,13 +31,14 @@ std::string table(const Study& study, const std::vector<StudyResult>& results) {
     text += csv_cell(result.run.name);
     for (const std::string& label : result.run.labels) text += "," + csv_cell(label);
     text += "," + result.status + "," + csv_cell(result.reason);
-    for (std::size_t i = 0; i < first_measures; ++i) text += "," + number(errors.*measures()[i].error);
-    for (double value : {result.wall_seconds, result.cpu_seconds}) text += "," + number(value);
+    for (std::size_t i = 0; i < first_measures; ++i) text += "," + csv_number(errors.*measures()[i].error);
+    for (double value : {result.wall_seconds, result.cpu_seconds}) text += "," + csv_number(value);
     for (long value : {result.steps, result.rejected_steps, result.newton_iterations, result.linear_iterations})
       text += fmt::format(",{}", value);
-    text += "," + number(result.peak_memory_bytes) + "," + number(result.end_time);
-    for (std::size_t i = first_measures; i < measures().size(); ++i) text += "," + number(errors.*measures()[i].error);
-    text += "," + number(errors.peak_force) + "," + number(errors.external_work) + "\n";
+    text += "," + csv_number(result.peak_memory_bytes) + "," + csv_number(result.end_time);
+    for (std::size_t i = first_measures; i < measures().size(); ++i)
+      text += "," + csv_number(errors.*measures()[i].error);
+    text += "," + csv_number(errors.peak_force) + "," + csv_number(errors.external_work) + "\n";
   }
   return text;
 }

@@ -14,8 +14,6 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
-
 std::string line_of(const Cells& cells) {
   std::string line;
   for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + csv_cell(cell);
@@ -32,9 +30,9 @@ std::string csv(const Scan& scan, const std::vector<ScanRow>& rows) {
   for (const ScanRow& row : rows) {
     Cells cells{row.run.name};
     cells.insert(cells.end(), row.run.labels.begin(), row.run.labels.end());
-    for (const double value : row.values) cells.push_back(number(value));
-    for (const std::string& word : {row.status, row.reason, number(row.wall_seconds), std::to_string(row.steps),
-                                    std::to_string(row.newton_iterations), number(row.peak_memory_bytes)})
+    for (const double value : row.values) cells.push_back(csv_number(value));
+    for (const std::string& word : {row.status, row.reason, csv_number(row.wall_seconds), std::to_string(row.steps),
+                                    std::to_string(row.newton_iterations), csv_number(row.peak_memory_bytes)})
       cells.push_back(word);
     text += line_of(cells);
   }
