@@ -66,7 +66,7 @@ class Run {
   void go_on();
   void resume_files();
   void warn_of_jump();
-  void tell_of_jump() const;
+  void measure_row();
   bool interlude();
   void step();
   void end();
@@ -83,9 +83,10 @@ class Run {
   void warn(const std::string& line) const {
     if (options_.warn && comm_->getRank() == 0) options_.warn(line);
   }
-  void fail(const std::string& reason) {
+  void fail(const std::string& reason, std::vector<Remedy> what_may_help = {}) {
     result_.status = RunStatus::Diverged;
     result_.reason = reason;
+    result_.remedies = std::move(what_may_help);
   }
   void stop(const std::string& reason) {
     if (reason.empty() || result_.status != RunStatus::Completed) return;
@@ -220,9 +221,10 @@ void Run::warn_of_jump() {
   result_.warnings.push_back({"jump at the restart", jump});
 }
 
-/// Tells of the jump before the last row to another equilibrium. The end of the run counts them all.
-void Run::tell_of_jump() const {
+/// Measures the last row, and tells of the first jumps to another equilibrium. The end of the run counts them all.
+void Run::measure_row() {
   constexpr long told = 3;
+  measures_.row(files_.history());
   const Jump& jump = measures_.jump();
   if (!(jump.released > 0) || measures_.jumps().count > told) return;
   log(fmt::format(
@@ -259,12 +261,12 @@ void Run::step() {
   const double before = integrator_.time();
   const double dt = control_.next(before, stable_);
   if (!(dt >= control_.least()) && control_.next(before) >= control_.least()) {
-    fail(fmt::format("the stable step, {:.3g} T0, is shorter than the shortest one allowed, {:.3g} T0", dt,
-                     control_.least()));
+    std::vector<Remedy> shorter;
     if (times_.minimum_step > 0)
-      result_.remedies = {
-          {"shorter steps", fmt::format("Time Integrator/Time Step Control/Minimum Time Step={:.3g}", dt / 10)}};
-    return;
+      shorter = {{"shorter steps", fmt::format("Time Integrator/Time Step Control/Minimum Time Step={:.3g}", dt / 10)}};
+    return fail(fmt::format("the stable step, {:.3g} T0, is shorter than the shortest one allowed, {:.3g} T0", dt,
+                            control_.least()),
+                std::move(shorter));
   }
   if (!(before + dt > before)) return fail(fmt::format("a step of {:.3g} T0 is lost in rounding", dt));
   const StepResult step = integrator_.attempt(dt);
@@ -275,17 +277,13 @@ void Run::step() {
   if (!step.converged) {
     ++result_.rejected_steps;
     if (step.crossed) measures_.crossed();
-    if (control_.cut(dt)) return;
-    fail(step.reason + hints(step));
-    result_.remedies = remedies(simulation_, step.reason);
+    if (!control_.cut(dt)) fail(step.reason + hints(step), remedies(simulation_, step.reason));
     return;
   }
   if (times_.adaptive.on && !judge_step(integrator_, times_.adaptive, dt, control_)) {
     ++result_.rejected_steps;
-    if (control_.exhausted(result_.reason)) {
-      result_.status = RunStatus::Diverged;
-      result_.remedies = remedies(simulation_, result_.reason);
-    }
+    std::string why;
+    if (control_.exhausted(why)) fail(why, remedies(simulation_, why));
     return;
   }
   if (watch_.on()) watch_.step(integrator_);
@@ -295,10 +293,7 @@ void Run::step() {
   stop(stop_.reason(simulation_.model(), integrator_.state()));
   files_.record(result_.steps, dt, before);
   measures_.step(result_.steps, dt);
-  if (files_.recorded()) {
-    measures_.row(files_.history());
-    tell_of_jump();
-  }
+  if (files_.recorded()) measure_row();
   if (!watch_energy()) observe(seconds);
 }
 
@@ -375,10 +370,7 @@ void Run::end() {
   }
   const bool has_row = files_.recorded();
   files_.finish();
-  if (!has_row) {
-    measures_.row(files_.history());
-    tell_of_jump();
-  }
+  if (!has_row) measure_row();
   result_.end_time = integrator_.time();
   result_.wall_seconds = clock_.seconds();
   result_.max_energy_error = files_.history().max_energy_error();
