@@ -25,11 +25,11 @@ Remedy shorter_steps(const Simulation& simulation) {
 
 }  // namespace
 
-std::vector<Remedy> remedies(const Simulation& simulation, const std::string& reason) {
+std::vector<Remedy> remedies(const Simulation& simulation, bool ran_out) {
   std::vector<Remedy> all;
   const bool is_quasi_static = is_static(simulation.integrator().table());
   const int snap = simulation.parameters().sublist("Nonlinear Solver").get<int>("Snap Iterations");
-  if (is_quasi_static && snap < 1000 && reason.find("did not converge") != std::string::npos)
+  if (is_quasi_static && snap < 1000 && ran_out)
     all.push_back({"more iterations", "Nonlinear Solver/Snap Iterations=1000"});
   all.push_back(shorter_steps(simulation));
   const auto& materials = simulation.materials();

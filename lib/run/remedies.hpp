@@ -13,8 +13,8 @@ struct Remedy {
   std::string assignment;  ///< as of --set: "Time Integrator/Time Step Control/Maximum Cuts=10"
 };
 
-/// Returns what differs from the present settings and may help a step that failed for this reason, the most likely one
-/// first.
-std::vector<Remedy> remedies(const Simulation& simulation, const std::string& reason);
+/// Returns what differs from the present settings and may help a step that failed, the most likely one first.
+/// `ran_out`: because Newton's iterations were used up.
+std::vector<Remedy> remedies(const Simulation& simulation, bool ran_out);
 
 }  // namespace ixos

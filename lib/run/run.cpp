@@ -277,13 +277,13 @@ void Run::step() {
   if (!step.converged) {
     ++result_.rejected_steps;
     if (step.crossed) measures_.crossed();
-    if (!control_.cut(dt)) fail(step.reason + hints(step), remedies(simulation_, step.reason));
+    if (!control_.cut(dt)) fail(step.reason + hints(step), remedies(simulation_, step.ran_out));
     return;
   }
   if (times_.adaptive.on && !judge_step(integrator_, times_.adaptive, dt, control_)) {
     ++result_.rejected_steps;
     std::string why;
-    if (control_.exhausted(why)) fail(why, remedies(simulation_, why));
+    if (control_.exhausted(why)) fail(why, remedies(simulation_, false));
     return;
   }
   if (watch_.on()) watch_.step(integrator_);

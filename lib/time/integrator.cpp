@@ -275,6 +275,7 @@ StepResult Integrator::advance(double dt) {
     const NewtonResult newton = solve_stage(stage, dt, u);
     result.newton_iterations += newton.iterations;
     if (!newton.converged) {
+      result.ran_out = newton.ran_out;
       result.reason = is_static(table_) ? no_equilibrium(model_, states_.front(), dt, newton.reason) : newton.reason;
       states_[stage + 1].u = std::move(u);
       return result;

@@ -24,6 +24,7 @@ struct StepResult {
   long linear_iterations = 0;  ///< of iterative linear solvers
   std::string reason;          ///< of a failure, for the user
   bool crossed = false;        ///< the reason is that a surface crossed its obstacle, see crossing()
+  bool ran_out = false;        ///< the reason is that Newton's iterations were used up
 };
 
 /// The work of all steps so far [E0 L0^D].

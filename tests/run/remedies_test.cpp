@@ -21,7 +21,7 @@ std::vector<std::string> remedies_of(const std::string& type, const std::string&
                   more),
       test::world());
   std::vector<std::string> all;
-  for (const Remedy& remedy : remedies(simulation, "it did not converge")) all.push_back(remedy.assignment);
+  for (const Remedy& remedy : remedies(simulation, true)) all.push_back(remedy.assignment);
   return all;
 }
 

@@ -153,18 +153,20 @@ struct NewtonSolver::Implementation {
     NewtonResult result;
     result.iterations = solver->getNumIterations();
     result.converged = status == NOX::StatusTest::Converged;
-    if (!result.converged) {
-      result.reason = lost->getStatus() == NOX::StatusTest::Failed
-                          ? fmt::format("after {} iterations the body is farther away than any equilibrium can be",
-                                        result.iterations)
-                      : result.iterations >= maximum_iterations
-                          ? fmt::format("Newton's iteration did not converge in {} iterations ({})", result.iterations,
-                                        force->describe())
-                          : fmt::format(
-                                "Newton's iteration broke down after {} iterations: at every step length tried an "
-                                "element inverts, a gap closes, a number overflows or the potential rises",
-                                result.iterations);
-    }
+    if (result.converged) return result;
+    const bool is_lost = lost->getStatus() == NOX::StatusTest::Failed;
+    result.ran_out = !is_lost && result.iterations >= maximum_iterations;
+    if (is_lost)
+      result.reason =
+          fmt::format("after {} iterations the body is farther away than any equilibrium can be", result.iterations);
+    else if (result.ran_out)
+      result.reason = fmt::format("Newton's iteration did not converge in {} iterations ({})", result.iterations,
+                                  force->describe());
+    else
+      result.reason = fmt::format(
+          "Newton's iteration broke down after {} iterations: at every step length tried an "
+          "element inverts, a gap closes, a number overflows or the potential rises",
+          result.iterations);
     return result;
   }
 

@@ -27,7 +27,8 @@ struct NewtonOptions {
 struct NewtonResult {
   bool converged = false;
   int iterations = 0;
-  std::string reason;  ///< of a failure, for the user
+  std::string reason;    ///< of a failure, for the user
+  bool ran_out = false;  ///< the failure is that the iterations were used up
 };
 
 /// One solver for one problem, kept for the whole run and reset for each solve.
