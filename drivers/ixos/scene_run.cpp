@@ -25,6 +25,14 @@ std::string restart_command(const Arguments& arguments, const std::string& check
   return command + " --restart " + shell_word(checkpoint);
 }
 
+/// Tells of other settings where there is nothing to resume from.
+void offer(const std::vector<Remedy>& remedies) {
+  for (const Remedy& remedy : remedies)
+    console::complain("ixos: {} may help: --set {}\n", remedy.what, printable(shell_word(remedy.assignment)));
+}
+
+int exit_status_of_failure(const RunResult& result) { return result.status == RunStatus::Diverged ? 3 : 5; }
+
 }  // namespace
 
 bool speaks(const Arguments& arguments, const Comm& comm) { return comm->getRank() == 0 && !arguments.quiet; }
@@ -84,10 +92,9 @@ int tell_failure(const RunResult& result, const Comm& comm) {
   if (comm->getRank() == 0) {
     console::complain("ixos: the run ended at t = {:.6g} T0, after {} steps: {}\n", result.end_time, result.steps,
                       printable(result.reason));
-    for (const Remedy& remedy : result.remedies)
-      console::complain("ixos: {} may help: --set {}\n", remedy.what, printable(shell_word(remedy.assignment)));
+    offer(result.remedies);
   }
-  return result.status == RunStatus::Diverged ? 3 : 5;
+  return exit_status_of_failure(result);
 }
 
 int report_end(const RunResult& result, const Arguments& arguments, const Comm& comm) {
@@ -102,8 +109,7 @@ int report_end(const RunResult& result, const Arguments& arguments, const Comm& 
     console::complain("ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
                       result.end_time, result.steps, result.reason, folder);
     if (result.checkpoint.empty()) {
-      for (const Remedy& remedy : result.remedies)
-        console::complain("ixos: {} may help: --set {}\n", remedy.what, shell_word(remedy.assignment));
+      offer(result.remedies);
     } else if (result.remedies.empty()) {
       console::complain("ixos: to resume: {}\n", printable(restart_command(arguments, result.checkpoint)));
     } else {
@@ -112,7 +118,7 @@ int report_end(const RunResult& result, const Arguments& arguments, const Comm& 
                           printable(restart_command(arguments, result.checkpoint, remedy.assignment)));
     }
   }
-  return result.status == RunStatus::Diverged ? 3 : 5;
+  return exit_status_of_failure(result);
 }
 
 }  // namespace ixos

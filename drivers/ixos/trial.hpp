@@ -5,9 +5,9 @@
 
 namespace ixos {
 
-/// Runs the first 20 steps of a scene, or those of 20 seconds. Its folder is removed. Tells how long the whole run would
-/// take, and what the run's warnings are so far. Returns the exit status: 0 or that of the run. Throws InputError if the
-/// folder exists, FileError. Collective.
+/// Runs the first 20 steps of a scene, or those of 20 seconds. Its folder is removed. Tells how long the whole run
+/// would take, and what the run's warnings are so far. Returns the exit status: 0 or that of the run. Throws InputError
+/// if the folder exists, FileError. Collective.
 int try_scene(Simulation& simulation, const Arguments& arguments);
 
 }  // namespace ixos
