@@ -45,6 +45,10 @@ void introduce(const Simulation& simulation) {
                model.space().comm()->getSize(), simulation.time_integrator().scheme,
                simulation.step_control().time_step, simulation.step_control().final_time,
                linear_solver_in_words(linear));
+  const Stages& stages = simulation.stages();
+  if (stages.any())
+    console::say("Stage 1 of {}: {}; the last one ends at {} T0\n", stages.count(), printable(stages.name(0)),
+                 simulation.planned_end());
   console::flush();
   for (const std::string& note : simulation.notes()) console::say("Note: {}\n", printable(note));
 }

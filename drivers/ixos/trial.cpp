@@ -54,7 +54,7 @@ std::string duration(double seconds) {
 std::string forecast(const Simulation& simulation, const RunResult& result) {
   const StepControlOptions& times = simulation.step_control();
   const double advanced = result.end_time - times.initial_time;
-  const double whole = (times.final_time - times.initial_time) / advanced;
+  const double whole = (simulation.planned_end() - times.initial_time) / advanced;
   const std::string steps =
       fmt::format("{} steps to t = {:.6g} T0 took {}, after {} of set-up", result.steps, result.end_time,
                   duration(result.wall_seconds), duration(simulation.setup_seconds()));
@@ -62,7 +62,7 @@ std::string forecast(const Simulation& simulation, const RunResult& result) {
   return fmt::format(
       "{}. At this rate the {:.0f} steps to t = {:.6g} T0 take {}. Steps take longer where a front moves or a "
       "body snaps.",
-      steps, std::ceil(whole * static_cast<double>(result.steps)), times.final_time,
+      steps, std::ceil(whole * static_cast<double>(result.steps)), simulation.planned_end(),
       duration(whole * result.wall_seconds));
 }
 

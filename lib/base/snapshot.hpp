@@ -1,12 +1,9 @@
 /// A state in memory to which a program returns.
 #pragma once
 #include <functional>
-#include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
-#include "base/record.hpp"
+#include "base/memory_record.hpp"
 
 namespace ixos {
 
@@ -27,16 +24,10 @@ class Snapshot {
   double bytes() const;
 
  private:
-  struct Value {
-    double number = 0;
-    std::string text;
-    std::vector<double> numbers;
-    long saved = 0;  ///< the number of the save() that named it
-  };
   class Memory;
 
   std::function<void(Record&)> transfer_;
-  std::map<std::string, Value> values_;  ///< by path
+  MemoryRecord::Values values_;
   long saves_ = 0;
   bool full_ = false;
 };

@@ -43,15 +43,12 @@ void SemiDiscreteResponses::add_names(std::vector<std::string> names) {
 }
 
 void SemiDiscreteResponses::add_reaction_set(const std::string& name) {
-  const LocalMesh& mesh = model_.mesh();
-  const std::size_t set = mesh.node_set(name);
-  double held = 0;
-  for (const int node : mesh.node_sets[set])
-    for (int i = 0; i < mesh.dimension; ++i) held += model_.constraints().holds(node * mesh.dimension + i) ? 1 : 0;
-  if (model_.space().maximum(held) == 0)
-    throw InputError("reactions of an evaluator: no displacement of the node set \"" + name +
-                     "\" is prescribed, so it has no reaction");
-  reaction_sets_.push_back(set);
+  try {
+    check_held(model_, name);
+  } catch (const InputError& error) {
+    throw InputError(std::string("reactions of an evaluator: ") + error.what());
+  }
+  reaction_sets_.push_back(model_.mesh().node_set(name));
 }
 
 void SemiDiscreteResponses::evaluate(int response, SemiDiscreteBalance& balance, Vector& g) const {

@@ -1,5 +1,7 @@
 #include "model/set_reactions.hpp"
 
+#include "base/error.hpp"
+
 namespace ixos {
 
 std::vector<double> set_reactions(const Model& model, const std::vector<double>& forces,
@@ -20,6 +22,15 @@ std::vector<double> set_reactions(const Model& model, const std::vector<double>&
 
 std::vector<double> set_reaction(const Model& model, const std::vector<double>& forces, const std::string& set) {
   return set_reactions(model, forces, {model.mesh().node_set(set)});
+}
+
+void check_held(const Model& model, const std::string& set) {
+  const LocalMesh& mesh = model.mesh();
+  double held = 0;
+  for (const int node : mesh.node_sets[mesh.node_set(set)])
+    for (int i = 0; i < mesh.dimension; ++i) held += model.constraints().holds(node * mesh.dimension + i) ? 1 : 0;
+  if (model.space().maximum(held) == 0)
+    throw InputError("no displacement of the node set \"" + set + "\" is prescribed, so it has no reaction");
 }
 
 }  // namespace ixos

@@ -17,4 +17,8 @@ std::vector<double> set_reactions(const Model& model, const std::vector<double>&
 /// Collective.
 std::vector<double> set_reaction(const Model& model, const std::vector<double>& forces, const std::string& set);
 
+/// Throws InputError if there is no such set, or if no displacement of it is prescribed, so that it has no reaction.
+/// Collective.
+void check_held(const Model& model, const std::string& set);
+
 }  // namespace ixos

@@ -24,6 +24,7 @@ void add(const Teuchos::ParameterList& valid, const std::string& path, std::vect
     lines.push_back(path);
     return;
   }
+  if (is_like_root(valid)) lines.push_back(path);
   for (const auto& [name, entry] : entries(valid)) {
     if (entry.isList()) {
       add(valid.sublist(name), path + name + '/', lines);

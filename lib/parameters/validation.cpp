@@ -20,6 +20,7 @@ const char* const required = "<required>";
 namespace {
 
 const char* const free_form = "<free form>";
+const char* const like_root = "<like root>";
 
 using List = Teuchos::ParameterList;
 using Entry = Teuchos::ParameterEntry;
@@ -96,7 +97,7 @@ std::map<std::string, LeftOut> left_out(const List& user, const List& valid, con
 
 /// Fills in the complete list in the order of the valid one.
 void fill(const List& user, const List& valid, const std::string& path, List& complete) {
-  if (is_free_form(valid)) {
+  if (is_free_form(valid) || is_like_root(valid)) {
     complete.setParameters(user);
     return;
   }
@@ -145,6 +146,12 @@ bool is_required(const Entry& entry) {
 void mark_free_form(List& list) { list.set(free_form, true); }
 
 bool is_free_form(const List& valid) { return valid.isParameter(free_form); }
+
+void mark_like_root(List& list) { list.setName(like_root); }  // no entry, which would count as a parameter
+
+bool is_like_root(const List& valid) { return valid.name() == like_root; }
+
+const List& lists_of(const List& valid, const List& root) { return is_like_root(valid) ? root : valid; }
 
 void discard_left_out(List& user, const List& valid, const std::string& choice) {
   const Choice* behind = choice_behind(valid.getEntry(choice).validator());

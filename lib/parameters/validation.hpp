@@ -10,6 +10,8 @@ namespace ixos {
 /// Conventions of a list of valid parameters, beside names, default values, validators and documentation:
 /// - a sublist named any_name stands for any number of sublists whose names the user chooses;
 /// - a sublist marked by mark_free_form() takes anything: another library checks it;
+/// - a sublist marked by mark_like_root() has, beside its own parameters, the lists of the outermost list: what they
+///   become part of checks them;
 /// - a string with the validator choice_of() chooses among sublists: only the chosen one is filled in with defaults;
 /// - a string with the validator exclusive_choice_of() chooses what else the list holds: what belongs to other words is
 ///   refused, and not filled in; such a choice may itself belong to a word of a choice before it;
@@ -17,6 +19,10 @@ namespace ixos {
 extern const char* const required;
 void mark_free_form(Teuchos::ParameterList& list);
 bool is_free_form(const Teuchos::ParameterList& valid);
+void mark_like_root(Teuchos::ParameterList& list);
+bool is_like_root(const Teuchos::ParameterList& valid);
+/// Returns the valid list that has the sublists of `valid`: that itself, or `root`, the outermost one.
+const Teuchos::ParameterList& lists_of(const Teuchos::ParameterList& valid, const Teuchos::ParameterList& root);
 /// Adds a number that must be given to a valid list. Its default is NaN, which is in no range.
 void set_required(Teuchos::ParameterList& valid, const std::string& name, const std::string& documentation,
                   const Teuchos::RCP<const Teuchos::ParameterEntryValidator>& validator);

@@ -21,6 +21,8 @@ class ContactEvents {
  public:
   explicit ContactEvents(const std::vector<std::string>& interactions);
 
+  /// Goes on with the times of other events; interactions that only those have come last, and take part no more.
+  void go_on_from(const ContactEvents& before);
   /// Takes part in a row. `measures`: contact measures by interaction.
   void row(double time, const std::vector<double>& measures);
   const std::vector<ContactTimes>& times() const { return times_; }

@@ -42,6 +42,13 @@ void FieldRecorder::resume(const FieldLength& keep) {
   together(comm_, [&] { file_->resume(keep); });
 }
 
+bool FieldRecorder::has_fields_of(const FieldRecorder& other) const {
+  const int d = simulation_.model().mesh().dimension;
+  const FieldNames mine = field_names(fields_, d), others = field_names(other.fields_, d);
+  return mine.nodal == others.nodal && mine.cell == others.cell &&
+         simulation_.output().fields_format == other.simulation_.output().fields_format;
+}
+
 void FieldRecorder::sync() {
   together(comm_, [this] { file_->sync(); });
 }

@@ -19,6 +19,8 @@ class FieldRecorder {
   void verify(const FieldLength& keep) const;  ///< see FieldFile; throws InputError
   void resume(const FieldLength& keep);
   void record();
+  /// Returns whether the frames of the other one have the same fields in the same format.
+  bool has_fields_of(const FieldRecorder& other) const;
   FieldLength length() const { return file_->length(); }
   void sync();   ///< has the disk keep the frames; throws FileError
   void close();  ///< after the last frame; throws FileError

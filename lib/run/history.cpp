@@ -29,8 +29,10 @@ History::History(Simulation& simulation)
       max_energy_error_(simulation.output().energies ? 0.0 : empty),
       norms_(simulation.output().norms, simulation.model()) {
   const Model& model = simulation.model();
-  HistoryColumns columns = history_columns(simulation);
-  columns_ = std::move(columns.names);
+  const HistoryColumns columns = history_columns(simulation);
+  columns_ = simulation.run_columns();
+  for (const std::string& name : columns.names)
+    places_.push_back(static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin()));
   for (const std::string& column : columns.reactions) max_forces_.emplace_back(column, 0.0);
   forces_ = max_forces_;
   for (const std::string& set : simulation.output().reactions) reaction_sets_.push_back(model.mesh().node_set(set));
@@ -73,10 +75,19 @@ void History::go_on_from(History& before) {
   balance_ = before.balance_;
   max_energy_error_ = before.max_energy_error_;
   largest_energy_ = before.largest_energy_;
-  contacts_ = before.contacts_;
-  max_forces_ = before.max_forces_;
+  contacts_.go_on_from(before.contacts_);
+  for (const auto& [name, largest] : before.max_forces_) largest_force(name) = largest;
+  for (auto& [name, force] : forces_)
+    for (const auto& [other, last] : before.forces_)
+      if (other == name) force = last;
   contact_measure_ = before.contact_measure_;
-  forces_ = before.forces_;
+}
+
+/// Returns the largest force of a column; those of columns that only earlier stages have come last.
+double& History::largest_force(const std::string& column) {
+  for (auto& [name, largest] : max_forces_)
+    if (name == column) return largest;
+  return max_forces_.emplace_back(column, 0.0).second;
 }
 
 std::vector<double> History::reactions() {
@@ -209,8 +220,10 @@ void History::record(const RowCounts& counts) {
     const DofSpace& space = model.space();
     row.insert(row.end(), {space.maximum(extent.rotation), space.minimum(extent.least), space.maximum(extent.largest)});
   }
+  std::vector<double> line(columns_.size(), empty);
+  for (std::size_t i = 0; i < row.size(); ++i) line[places_[i]] = row[i];
   together(model.space().comm(), [&] {
-    if (file_) file_->write(row);
+    if (file_) file_->write(line);
   });
 }
 
@@ -244,8 +257,8 @@ void History::transfer(Record& record) {
     record.text("name", force.first);
     record.number("largest", force.second);
     if (!record.loading()) continue;
-    for (auto& [name, largest] : max_forces_)
-      if (name == force.first) largest = force.second;
+    const bool is_column = std::find(columns_.begin(), columns_.end(), force.first) != columns_.end();
+    if (is_column) largest_force(force.first) = force.second;
   }
 }
 

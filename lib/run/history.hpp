@@ -73,9 +73,11 @@ class History {
   std::vector<double> single_interactions();
   std::vector<double> frictions();
   void keep_force(std::size_t column, double force);
+  double& largest_force(const std::string& column);
 
   Simulation& simulation_;
-  std::vector<std::string> columns_;
+  std::vector<std::string> columns_;   ///< of the file
+  std::vector<std::size_t> places_;    ///< among them, of the numbers of a row
   TableLength length_;                 ///< of the file, as loaded
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   /// Energy at the first row, less external work, plus dissipation; NaN if no energies were recorded yet.

@@ -52,6 +52,25 @@ fs::path resolved(const std::string& path) {
   return whole;
 }
 
+/// Returns the times at which the stages of a checkpoint after the first one began [T0].
+std::vector<double> begins_of_stages(const std::string& path, std::size_t stages) {
+  Hdf5Input file(path);
+  std::vector<double> begins;
+  if (!file.has_group("run")) return begins;
+  file.enter("run");
+  if (!file.has_group("stages")) return begins;
+  file.enter("stages");
+  const double ended = file.number("ended");
+  if (!(ended >= 0 && ended < static_cast<double>(stages)))
+    throw InputError(fmt::format("{}: was written in stage {:.0f}, but the scene has {}", path, ended + 1, stages));
+  for (int k = 1; k <= static_cast<int>(ended); ++k) {
+    file.enter(fmt::format("stage {}", k));
+    begins.push_back(file.number("next begins"));
+    file.leave();
+  }
+  return begins;
+}
+
 }  // namespace
 
 Restart::Restart(const Simulation& simulation, const std::string& path) {
@@ -109,6 +128,24 @@ void Restart::note_differences(const Simulation& simulation) {
 
 void Restart::load(const std::function<void(Record&)>& transfer) {
   load_placed(path_, [&] { transfer(*reader_); });
+}
+
+std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, const std::string& path) {
+  if (!simulation.stages().any()) return nullptr;
+  const Comm& comm = simulation.model().space().comm();
+  std::string file;
+  on_first_rank(comm, [&] {
+    file = resolved(path).string();
+    const std::string problem = seal_problem(file);
+    if (!problem.empty()) throw InputError(file + ": " + problem + offer(file));
+  });
+  file = from_first_rank(comm, file);
+  std::vector<double> begins;
+  together<InputError>(comm, [&] { begins = begins_of_stages(file, simulation.stages().count()); });
+  std::shared_ptr<Simulation> stage;
+  for (std::size_t k = simulation.stage(); k < begins.size(); ++k)
+    stage = (stage ? *stage : simulation).next_stage(begins[k]);
+  return stage;
 }
 
 bool Restart::is_in(const std::string& folder) const {

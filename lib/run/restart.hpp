@@ -36,4 +36,9 @@ class Restart {
   std::vector<std::string> notes_;
 };
 
+/// Returns the simulation of the stage in which a checkpoint was written, without a state; null if that is the stage of
+/// `simulation`, or if its scene has no stages. Throws InputError if the path is no checkpoint, or is one of a stage
+/// that the scene does not have. Collective.
+std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, const std::string& path);
+
 }  // namespace ixos

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "run/checkpoints.hpp"
 #include "run/energy_watch.hpp"
+#include "run/handover.hpp"
 #include "run/replaced_results.hpp"
 #include "run/restart.hpp"
 #include "run/run_clock.hpp"
@@ -60,11 +61,15 @@ class Run {
 
  private:
   std::shared_ptr<Simulation> exchanged() const;
+  bool is_over() const { return result_.status != RunStatus::Completed || stage_is_over(); }
+  bool stage_is_over() const { return !stage_ends_.empty() || control_.done(integrator_.time()); }
+  std::shared_ptr<Simulation> next_stage();
   void add_findings(const std::vector<Warning>& findings);
   void begin();
   void begin_files();
   void go_on();
   void resume_files();
+  void look_at_criteria();
   void warn_of_jump();
   void measure_row();
   bool interlude();
@@ -107,6 +112,7 @@ class Run {
   RunMeasures measures_;
   RunClock clock_;
   std::string resumed_from_;  ///< the checkpoint that the watch went back to
+  std::string stage_ends_;    ///< the reason why the stage, which is not the last one, is over
   std::function<double(double)> stable_;
 
   RunResult result_;
@@ -114,17 +120,37 @@ class Run {
 
 std::shared_ptr<Simulation> Run::advance() {
   try {
-    while (result_.status == RunStatus::Completed && !control_.done(integrator_.time())) {
+    while (!is_over()) {
       if (!interlude()) continue;
       const long before = result_.steps;
       step();
-      const bool ends = result_.status != RunStatus::Completed || control_.done(integrator_.time());
-      if (ends || result_.steps != before + 1) continue;
+      if (is_over() || result_.steps != before + 1) continue;
       if (auto next = exchanged()) return next;
     }
+    if (auto next = next_stage()) return next;
     end();
   } catch (const FileError& error) {
     throw FileError(with_position(error.what()));
+  }
+  return nullptr;
+}
+
+/// Returns the simulation of the next stage, in the state of this one; null if there is none, or it cannot begin.
+std::shared_ptr<Simulation> Run::next_stage() {
+  if (result_.status != RunStatus::Completed || !simulation_.has_next_stage()) return nullptr;
+  if (files_.end_stage()) measure_row();
+  const Stages& stages = simulation_.stages();
+  const std::size_t number = simulation_.stage();
+  const double time = integrator_.time(), begin = stage_ends_.empty() ? times_.final_time : time;
+  log(fmt::format("Stage {} ended at t = {:.6g} T0, step {}{}{}.", stages.name(number), time, result_.steps,
+                  stage_ends_.empty() ? "" : ": ", stage_ends_));
+  try {
+    std::shared_ptr<Simulation> next = simulation_.next_stage(begin);
+    hand_over(simulation_, *next);
+    result_.stages.push_back({stages.name(number), time, result_.steps, stage_ends_, begin});
+    return next;
+  } catch (const InputError& error) {
+    fail(fmt::format("the stage {} cannot begin: {}", stages.name(number + 1), error.what()));
   }
   return nullptr;
 }
@@ -161,8 +187,13 @@ void Run::take_over(Run& before) {
   resumed_from_ = checkpoints_.newest();  // of another simulation: the watch does not go back there
   measures_.row(files_.history());
   stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
-  log(fmt::format("The run continues with another simulation from t = {:.6g} T0, step {}.", integrator_.time(),
-                  result_.steps));
+  const bool is_stage = simulation_.stage() > before.simulation_.stage();
+  if (!is_stage)
+    return log(fmt::format("The run continues with another simulation from t = {:.6g} T0, step {}.", integrator_.time(),
+                           result_.steps));
+  log(fmt::format("Stage {} begins: {}, time step {} T0 to t = {} T0.", simulation_.stages().name(simulation_.stage()),
+                  simulation_.time_integrator().scheme, times_.time_step, times_.final_time));
+  warn_of_jump();
 }
 
 /// A later finding of the same name knows more of the run.
@@ -207,7 +238,16 @@ void Run::go_on() {
   log(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
   for (const std::string& note : restart.notes()) log(note);
   warn_of_jump();
-  stop(stop_.reason(simulation_.model(), integrator_.state()));
+  look_at_criteria();
+}
+
+/// A criterion that holds ends the stage.
+void Run::look_at_criteria() {
+  const std::string met = stop_.reason(simulation_.model(), integrator_.state());
+  if (simulation_.has_next_stage())
+    stage_ends_ = met;
+  else
+    stop(met);
 }
 
 /// Warns if supports set in at the restart with a velocity that the body does not have.
@@ -290,7 +330,7 @@ void Run::step() {
   integrator_.accept();
   control_.succeeded();
   ++result_.steps;
-  stop(stop_.reason(simulation_.model(), integrator_.state()));
+  look_at_criteria();
   files_.record(result_.steps, dt, before);
   measures_.step(result_.steps, dt);
   if (files_.recorded()) measure_row();
@@ -309,7 +349,7 @@ std::string Run::hints(const StepResult& step) const {
 
 /// Shows the accepted step to the caller.
 void Run::observe(double wall_seconds) {
-  const Progress progress{integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations,
+  const Progress progress{integrator_.time(), simulation_.planned_end(), result_.steps, result_.newton_iterations,
                           wall_seconds};
   if (options_.watch && comm_->getRank() == 0) options_.watch(progress);
   if (!options_.observe) return;
@@ -410,6 +450,7 @@ void Run::transfer(Record& record) {
   record.number("linear iterations", result_.linear_iterations);
   record.number("restarts", result_.restarts);
   ixos::transfer(record, result_.warnings);
+  ixos::transfer(record, result_.stages);
   const double seconds = clock_.transfer(record);
   files_.transfer(record, result_.steps, seconds);
   integrator_.transfer(record);
@@ -424,14 +465,20 @@ void Run::transfer(Record& record) {
 }  // namespace
 
 RunResult run(Simulation& simulation, const RunOptions& options) {
-  std::shared_ptr<Simulation> exchanged;  // the present one, unless it is the caller's
-  auto present = std::make_unique<Run>(simulation, options);
+  std::shared_ptr<Simulation> other;  // the present one, unless it is the caller's
+  const auto tell = [&](const std::shared_ptr<Simulation>& stage) {
+    if (options.stage) together(stage->model().space().comm(), [&] { options.stage(stage); });
+  };
+  if (!options.restart.empty()) other = stage_of_checkpoint(simulation, options.restart);
+  auto present = std::make_unique<Run>(other ? *other : simulation, options);
+  if (other) tell(other);
   present->start();
   while (std::shared_ptr<Simulation> next = present->advance()) {
-    auto other = std::make_unique<Run>(*next, options);
-    other->take_over(*present);
-    present = std::move(other);
-    exchanged = std::move(next);
+    auto later = std::make_unique<Run>(*next, options);
+    later->take_over(*present);
+    if (next->stage() > 0) tell(next);
+    present = std::move(later);
+    other = std::move(next);
   }
   return present->result();
 }

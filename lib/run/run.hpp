@@ -12,6 +12,7 @@
 #include "run/contact_events.hpp"
 #include "run/jump_watch.hpp"
 #include "run/remedies.hpp"
+#include "run/stage_ends.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -19,7 +20,7 @@ namespace ixos {
 /// Where a run stands, for whoever watches it.
 struct Progress {
   double time = 0;
-  double final_time = 0;
+  double final_time = 0;  ///< of the last stage
   long step = 0;
   long newton_iterations = 0;  ///< since the start
   double wall_seconds = 0;
@@ -50,12 +51,15 @@ struct RunOptions {
   /// the function throws, or returns null on some ranks only, it throws on all ranks. A run that repeats this one in
   /// the same folder needs `overwrite`. May be empty.
   std::function<std::shared_ptr<Simulation>(Simulation& present)> exchange;
+  /// Called on every rank with the simulation of the next stage of the scene, which has its state, before its steps; at
+  /// a restart in a later stage with that of the checkpoint. The run and the caller share it. May be empty.
+  std::function<void(const std::shared_ptr<Simulation>&)> stage;
   /// The state of the caller, for example of an observer or of a motion that it sets: the checkpoints of the run hold
   /// it, and a restart reads it. A checkpoint with other states is refused with InputError.
   std::vector<ProgramState> states;
 };
 
-/// Stopped: a stop criterion holds, or the observer ended the run.
+/// Stopped: a stop criterion of the last stage holds, or the observer ended the run.
 enum class RunStatus { Completed, Stopped, Diverged, Interrupted };
 
 struct RunResult {
@@ -74,6 +78,7 @@ struct RunResult {
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
   std::vector<ContactTimes> contacts;                      ///< see History::contacts
   JumpSums jumps{};                                        ///< to other equilibria, of a quasi-static run
+  std::vector<StageEnd> stages{};                          ///< those that have ended; none of a scene without stages
   PhaseSeconds phase_seconds{};                            ///< of rank 0
   std::string checkpoint;                                  ///< the newest one's path, or nothing
   std::vector<Warning> warnings;                           ///< that RunOptions::warn was told
@@ -82,8 +87,9 @@ struct RunResult {
 
 /// Runs from the simulation's present state, or from a checkpoint, to its final time; writes effective.xml,
 /// history.csv, summary.json, and fields.e and checkpoints if the scene asks for them. A restart resumes all that
-/// RunResult counts, clocks included. If the checkpoint is in the same folder, the run also continues history.csv and
-/// fields.e, without the rows and frames that came after the checkpoint.
+/// RunResult counts, clocks included. A scene with stages goes through them, or on from that of the checkpoint: the
+/// caller's simulation stays where its own stage ended, see RunOptions::stage. If the checkpoint is in the same folder,
+/// the run also continues history.csv and fields.e, without the rows and frames that came after the checkpoint.
 ///
 /// A step that fails, and may not be cut, ends the run with RunStatus::Diverged; a signal with Interrupted. However it
 /// ends, the last good state is checkpointed and the rows up to there are on disk. Throws FileError where something

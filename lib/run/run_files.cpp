@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
 #include "run/replaced_results.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/scene_file.hpp"
 
 namespace ixos {
@@ -31,13 +32,14 @@ RunFiles::RunFiles(Simulation& simulation, const std::string& folder, const std:
 }
 
 /// Returns the path of a file of this simulation: that of the first one has no number.
-std::string RunFiles::numbered(const std::string& name, const std::string& extension) const {
-  return folder_ + "/" + name + (exchanges_ == 0 ? "" : "-" + std::to_string(exchanges_ + 1)) + extension;
+std::string RunFiles::numbered(const std::string& name, long exchanges, const std::string& extension) const {
+  return folder_ + "/" + name + (exchanges == 0 ? "" : "-" + std::to_string(exchanges + 1)) + extension;
 }
 
-/// Frames of each simulation of a run need a file: the mesh may be another one.
+/// Frames of another mesh, or with other fields, need a file of their own.
 void RunFiles::name_frames() {
-  if (frames_.any()) fields_ = std::make_unique<FieldRecorder>(simulation_, numbered("fields", ".e"), scene_file_);
+  if (frames_.any())
+    fields_ = std::make_unique<FieldRecorder>(simulation_, numbered("fields", frame_files_, ".e"), scene_file_);
 }
 
 void RunFiles::go_on_from(RunFiles& before) {
@@ -50,10 +52,14 @@ void RunFiles::go_on_from(RunFiles& before) {
   counts_ = before.counts_;
   recorded_ = before.recorded_;
   exchanges_ = before.exchanges_ + 1;
+  const bool goes_on = simulation_.stage() > 0 && fields_ && before.fields_ && fields_->has_fields_of(*before.fields_);
+  frame_files_ = before.frame_files_ + (goes_on || !before.fields_ ? 0 : 1);
   name_frames();
-  on_first_rank(simulation_.model().space().comm(),
-                [&] { write_scene_file(simulation_.parameters(), numbered("effective", ".xml")); });
-  if (fields_) begin_frames();
+  on_first_rank(simulation_.model().space().comm(), [&] { write_scene_file(simulation_.parameters(), scene_path()); });
+  if (!goes_on && fields_) begin_frames();
+  if (!goes_on) return;
+  fields_->resume(before.fields_->length());
+  framed_ = true;
 }
 
 void RunFiles::open_folder(bool goes_on) {
@@ -64,13 +70,16 @@ void RunFiles::open_folder(bool goes_on) {
     if (code) throw FileError("the results folder cannot be used: " + folder_ + ": " + code.message());
     for (const std::string& name : names_in(folder_)) {
       const NumberedResult of = numbered_result(name);
-      const bool is_later = of.frames > exchanges_ + 1 || of.scene > exchanges_ + 1;
+      const bool is_later = of.frames > frame_files_ + 1 || of.scene > exchanges_ + 1;
       if (!is_later && name != "summary.json" && (keep_fields || of.frames == 0)) continue;
       const std::filesystem::path path = std::filesystem::path(folder_) / name;
       std::filesystem::remove(path, code);
       if (code) throw FileError(path.string() + ": cannot be replaced: " + code.message());
     }
-    write_scene_file(simulation_.parameters(), numbered("effective", ".xml"));
+    write_scene_file(simulation_.parameters(), scene_path());
+    // The scene of all stages, where a restart begins a folder with a later one.
+    const std::string whole = numbered("effective", 0, ".xml");
+    if (simulation_.stage() > 0 && !goes_on) write_scene_file(complete_scene(simulation_.stages().scene({})), whole);
   });
 }
 
@@ -134,6 +143,13 @@ void RunFiles::finish() {
   fields_->close();
 }
 
+bool RunFiles::end_stage() {
+  if (recorded_) return false;
+  row();
+  recorded_ = true;
+  return true;
+}
+
 void RunFiles::sync() {
   history_.sync();
   if (fields_) fields_->sync();
@@ -148,6 +164,7 @@ void RunFiles::transfer(Record& record, long step, double wall_seconds) {
   if (record.loading() ? record.has_section("exchanges") : exchanges > 0) {
     const Record::Section section(record, "exchanges");
     record.number("count", exchanges);
+    record.number("files of frames", frame_files_);
   }
   if (std::exchange(exchanges_, exchanges) != exchanges) name_frames();
   record.number("framed", framed_);

@@ -39,8 +39,11 @@ class RunFiles {
   /// Goes on with them, once verified; what came after the checkpoint is dropped. Frames begin where there were none.
   void resume();
 
+  /// Gives the last state of a stage a row, unless it has one. Returns whether it was due.
+  bool end_stage();
   /// Goes on with the rows of another simulation, which ends, and with frames in a new file, whose first one is the
-  /// present state. Throws InputError, on all ranks, if the columns are others.
+  /// present state; a stage with the same fields goes on with the file. Throws InputError, on all ranks, if the columns
+  /// are others.
   void go_on_from(RunFiles& before);
 
   /// A step that was attempted, and the clock after it.
@@ -62,7 +65,8 @@ class RunFiles {
   void begin_frames();
   void row();
   std::string history_path() const { return folder_ + "/history.csv"; }
-  std::string numbered(const std::string& name, const std::string& extension) const;
+  std::string numbered(const std::string& name, long exchanges, const std::string& extension) const;
+  std::string scene_path() const { return numbered("effective", exchanges_, ".xml"); }
   void name_frames();
 
   Simulation& simulation_;
@@ -72,6 +76,7 @@ class RunFiles {
   Recording rows_, frames_;
   RowCounts counts_;
   long exchanges_ = 0;        ///< of simulations before this one
+  long frame_files_ = 0;      ///< before the present one
   bool recorded_ = true;      ///< has the present state a row?
   bool framed_ = true;        ///< and a frame?
   FieldLength field_length_;  ///< in the folder of the checkpoint that was loaded

@@ -84,6 +84,10 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
                      {"released", result.jumps.released},
                      {"largest", {{"released", largest.released}, {"from", largest.from}, {"to", largest.to}}}};
   }
+  if (simulation.stages().any()) json["stages"] = nlohmann::ordered_json::array();
+  for (const StageEnd& stage : result.stages)
+    json["stages"].push_back(
+        {{"name", stage.name}, {"end_time", stage.time}, {"steps", stage.steps}, {"reason", stage.reason}});
   json["warnings"] = nlohmann::ordered_json::array();
   for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings, &result.findings})
     for (const Warning& warning : *warnings)

@@ -27,7 +27,7 @@ Bearing bearing(const std::string& path) {
   const std::string control = "Time Integrator/Time Step Control/";
   if (starts_with(path, "Initial Conditions/") || path == control + "Initial Time") return Bearing::State;
   // The fingerprint tells whether the mesh is another one.
-  for (const char* list : {"Units/", "Mesh/", "Time Integrator/Stop/"})
+  for (const char* list : {"Units/", "Mesh/", "Stages/", "Time Integrator/Stop/"})
     if (starts_with(path, list)) return Bearing::None;
   // It tells of an obstacle's file, too, whatever its name.
   if (starts_with(path, "Interactions/") && ends_with(path, "/File")) return Bearing::None;
@@ -44,7 +44,7 @@ Bearing bearing(const std::string& path) {
 bool defines_problem(const std::string& path) {
   const Bearing effect = bearing(path);
   return effect == Bearing::Motion || effect == Bearing::State || starts_with(path, "Mesh/") ||
-         starts_with(path, "Units/");
+         starts_with(path, "Units/") || starts_with(path, "Stages/");
 }
 
 std::string text(const Teuchos::ParameterEntry* entry) {

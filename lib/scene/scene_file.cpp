@@ -59,7 +59,7 @@ void set_parameter(Teuchos::ParameterList& scene, const Teuchos::ParameterList& 
   std::size_t start = 0;
   for (auto slash = path.find('/'); slash != std::string::npos; slash = path.find('/', start)) {
     const std::string name = path.substr(start, slash - start);
-    if (known != nullptr) known = valid_sublist(*known, name, "--set " + path);
+    if (known != nullptr) known = valid_sublist(lists_of(*known, valid), name, "--set " + path);
     if (list->isParameter(name) && !list->isSublist(name))
       throw InputError(fmt::format("--set {}: {} is a parameter of the scene, not a list", path, name));
     at("--set " + path, [&name] { check_name(name); });

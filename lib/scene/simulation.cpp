@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -14,6 +16,7 @@
 #include "mesh/fingerprint.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/refinement.hpp"
+#include "model/set_reactions.hpp"
 #include "scene/examine/compatibility.hpp"
 #include "scene/examine/mesh_inspection.hpp"
 #include "scene/examine/notes.hpp"
@@ -68,21 +71,37 @@ std::vector<std::string> interaction_names(const List& scene) {
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder, const GivenHistories& given)
-    : Simulation(with_files(scene, folder), comm, MakeMesh([&folder](List& list) { return scene_mesh(list, folder); }),
-                 given) {}
+    : Simulation(std::make_shared<Plan>(Plan{Stages(scene, given),
+                                             [folder](const List& list) { return with_files(list, folder); },
+                                             [folder](List& list) { return scene_mesh(list, folder); }, given}),
+                 comm, {}) {}
 
 Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given)
-    : Simulation(with_given_mesh(with_files(scene, "."), mesh.dimension, mesh.axisymmetric), comm,
-                 MakeMesh([&mesh](List& list) { return scene_mesh(list, mesh); }), given) {}
+    : Simulation(std::make_shared<Plan>(given_mesh_plan(scene, mesh, given)), comm, {}) {}
 
-Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make_mesh, const GivenHistories& given)
-    : parameters_(complete_scene(scene)),
+/// Only later stages need the mesh after the constructor.
+Simulation::Plan Simulation::given_mesh_plan(const List& scene, const Mesh& mesh, const GivenHistories& given) {
+  Stages stages(scene, given);
+  const auto kept = stages.any() ? std::make_shared<const Mesh>(mesh) : std::shared_ptr<const Mesh>();
+  const Mesh* own = kept ? kept.get() : &mesh;
+  return {std::move(stages),
+          [d = mesh.dimension, axisymmetric = mesh.axisymmetric](const List& list) {
+            return with_given_mesh(with_files(list, "."), d, axisymmetric);
+          },
+          [kept, own](List& list) { return scene_mesh(list, *own); }, given};
+}
+
+Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins)
+    : plan_(std::move(plan)),
+      begins_(std::move(begins)),
+      parameters_(complete_scene(plan_->with_files(plan_->stages.scene(begins_)))),
       units_(scene_units(parameters_)),
       output_(read_output(SceneNode(parameters_, "").sublist("Output"), interaction_names(parameters_))),
       time_integrator_(read_time_integrator(SceneNode(parameters_, "").sublist("Time Integrator"), output_)),
       newton_(read_newton(SceneNode(parameters_, "").sublist("Nonlinear Solver"))) {
   Teuchos::Time timer("setup", true);
   const StepControlOptions& control = step_control();
+  planned_end_ = control.final_time;
   if (!(control.final_time > control.initial_time))
     throw InputError(fmt::format("Time Integrator/Time Step Control/Final Time: {} must be later than Initial Time, {}",
                                  control.final_time, control.initial_time));
@@ -98,10 +117,68 @@ Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make
   materials_ = read_materials(scene_node.sublist("Materials"));
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
-  build_model(comm, make_mesh, given, table.mass);
+  build_model(comm, table.mass);
   build_integrator(std::move(table));
-  set_initial_state();
+  if (stage() == 0)
+    set_initial_state();
+  else
+    integrator_->await_state(control.initial_time);
+  if (stages().any() && stage() == 0) look_ahead();
+  if (stages().any()) planned_end_ = stages().planned_ends(begins_).back();
   setup_seconds_ = timer.stop();
+}
+
+/// Builds the later stages, as if each came to its end, for what their scenes say: messages, warnings and columns.
+void Simulation::look_ahead() {
+  std::unique_ptr<Simulation> next;
+  for (const Simulation* stage = this; stage->has_next_stage(); stage = next.get()) {
+    const std::size_t number = stage->stage() + 1;
+    at(stages().path(number), [&] {
+      auto built = stage->next_stage(stage->step_control().final_time);
+      stage->refuse_jump_to(*built);
+      next = std::move(built);
+    });
+    next->resumes();
+    for (const Warning& warning : next->warnings()) {
+      const auto is_known = [&](const Warning& other) { return other.message == warning.message; };
+      if (std::none_of(warnings_.begin(), warnings_.end(), is_known))
+        warnings_.push_back({warning.name, placed(stages().path(number), warning.message)});
+    }
+    for (const std::string& note : next->notes())
+      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end())
+        notes_.push_back(placed(stages().path(number), note));
+    std::vector<std::string>& all = plan_->columns;
+    for (const std::string& column : history_columns(*next).names)
+      if (std::find(all.begin(), all.end(), column) == all.end()) all.push_back(column);
+  }
+}
+
+/// Throws InputError if a prescribed displacement of both stages would jump between them.
+void Simulation::refuse_jump_to(const Simulation& next) const {
+  const Constraints &mine = model_->constraints(), &others = next.model().constraints();
+  const auto size = static_cast<std::size_t>(model_->space().local());
+  std::vector<double> before(size, 0.0), after(size, 0.0);
+  const double time = next.step_control().initial_time;
+  mine.set(time, before.data(), nullptr, nullptr);
+  others.set(time, after.data(), nullptr, nullptr);
+  double jump = 0, largest = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const int dof = static_cast<int>(i);
+    if (!mine.holds(dof) || !others.holds(dof)) continue;
+    jump = std::max(jump, std::abs(after[i] - before[i]));
+    largest = std::max({largest, std::abs(before[i]), std::abs(after[i])});
+  }
+  jump = model_->space().maximum(jump);
+  if (jump > 1e-6 * model_->space().maximum(largest))
+    throw InputError(fmt::format(
+        "Boundary Conditions: a prescribed displacement would jump by {:.3g} L0 at t = {:.6g} T0", jump, time));
+}
+
+std::unique_ptr<Simulation> Simulation::next_stage(double begin) const {
+  if (!has_next_stage()) throw std::logic_error("the scene has no further stage");
+  std::vector<double> begins = begins_;
+  begins.push_back(begin);
+  return std::unique_ptr<Simulation>(new Simulation(plan_, model_->space().comm(), std::move(begins)));
 }
 
 void Simulation::resumes() {
@@ -144,12 +221,11 @@ LocalMesh Simulation::local_mesh(const Mesh& mesh, const std::vector<int>& owner
   return local;
 }
 
-void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const GivenHistories& given,
-                             Inertia inertia) {
+void Simulation::build_model(const Comm& comm, Inertia inertia) {
   const NamedScope scope("mesh and model");
   Mesh mesh;
   together<InputError>(comm, [&] {
-    mesh = make_mesh(parameters_.sublist("Mesh"));
+    mesh = plan_->make_mesh(parameters_.sublist("Mesh"));
     for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
       warnings_.push_back({"mesh", std::move(message)});
     if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())
@@ -170,13 +246,15 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
   if (std::string bad = quality_warning(mesh_quality_); !bad.empty())
     warnings_.push_back({"mesh quality", std::move(bad)});
   const int ranks = comm->getSize();
+  // All stages have one partition: states are handed over rank by rank.
+  std::vector<int> owner = plan_->owner.empty() ? partition(mesh, ranks, inertia) : plan_->owner;
+  if (stages().any()) plan_->owner = owner;
   model_ = at("Materials", [&] {
-    return std::make_unique<Model>(local_mesh(mesh, partition(mesh, ranks, inertia), comm->getRank(), ranks, inertia),
-                                   comm, materials_, inertia);
+    return std::make_unique<Model>(local_mesh(mesh, owner, comm->getRank(), ranks, inertia), comm, materials_, inertia);
   });
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
-  const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time, given,
+  const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time, plan_->given,
                             inertia == Inertia::None);
   add_interactions(interactions_, histories, control.initial_time, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
@@ -194,18 +272,15 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
   for (const std::string& name : recorded) {
     if (std::count(recorded.begin(), recorded.end(), name) > 1)
       throw InputError("Output/Reactions: the node set \"" + name + "\" is given twice");
-    const std::size_t set = at("Output/Reactions", [&] { return model_->mesh().node_set(name); });
-    const int d = model_->mesh().dimension;
-    double held = 0;
-    for (int node : model_->mesh().node_sets[set])
-      for (int i = 0; i < d; ++i) held += model_->constraints().holds(node * d + i) ? 1 : 0;
-    if (model_->space().maximum(held) == 0)
-      throw InputError("Output/Reactions: no displacement of the node set \"" + name +
-                       "\" is prescribed, so it has no reaction");
+    at("Output/Reactions", [&] {
+      model_->mesh().node_set(name);
+      if (!stages().any()) check_held(*model_, name);  // a stage may let go
+    });
   }
-  chosen_fields(output_.fields, *model_);  // refuses those that the model does not have
-  norm_fields(output_.norms, *model_);     // the same
-  history_columns(*this);                  // refuses names that make no columns
+  chosen_fields(output_.fields, *model_);                 // refuses those that the model does not have
+  norm_fields(output_.norms, *model_);                    // the same
+  const HistoryColumns columns = history_columns(*this);  // refuses names that make no columns
+  if (plan_->columns.empty()) plan_->columns = columns.names;
 }
 
 void Simulation::build_integrator(Table table) {
@@ -230,17 +305,20 @@ void Simulation::build_integrator(Table table) {
   if (linear.get<std::string>("Operator") == "Matrix-Free" && !is_explicit(table)) model_->do_without_matrices();
   integrator_ = std::make_unique<Integrator>(
       *model_, std::move(table), std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable), newton_);
+  integrator_->keep_static_rates(time_integrator_.keeps_static_rates);
+}
+
+std::vector<double> Simulation::given_velocities() const {
+  const LocalMesh& mesh = model_->mesh();
+  const SceneNode initial = SceneNode(parameters_, "").sublist("Initial Conditions");
+  return initial_velocities(initial_motions(initial, mesh.dimension, mesh.axisymmetric), *model_, materials_);
 }
 
 void Simulation::set_initial_state() {
-  const LocalMesh& mesh = model_->mesh();
-  const SceneNode initial = SceneNode(parameters_, "").sublist("Initial Conditions");
-  const auto motions = initial_motions(initial, mesh.dimension, mesh.axisymmetric);
-  std::vector<double> v = initial_velocities(motions, *model_, materials_);
+  std::vector<double> v = given_velocities();
   std::vector<double> u(v.size(), 0.0);
   const double time = step_control().initial_time;
-  integrator_->keep_static_rates(time_integrator_.keeps_static_rates);
-  at(initial.path(), [&] { integrator_->initialize(std::move(u), std::move(v), time); });
+  at("Initial Conditions", [&] { integrator_->initialize(std::move(u), std::move(v), time); });
 }
 
 }  // namespace ixos

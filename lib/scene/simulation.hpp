@@ -15,6 +15,7 @@
 #include "scene/read/histories.hpp"
 #include "scene/read/interactions.hpp"
 #include "scene/read/probes.hpp"
+#include "scene/read/stages.hpp"
 #include "scene/read/stop.hpp"
 #include "scene/read/time_integrator_options.hpp"
 #include "solve/newton/newton.hpp"
@@ -24,10 +25,12 @@
 
 namespace ixos {
 
-/// The objects that a scene asks for, built and at their initial state. Collective.
+/// The objects that a scene asks for, built and at their initial state; of a scene with the list "Stages", those of its
+/// first stage. Collective.
 class Simulation {
  public:
-  /// `scene` is as a user writes it; the constructor converts units and validates it. `folder` is the folder of the
+  /// `scene` is as a user writes it; the constructor converts units and validates it, and builds each later stage once
+  /// for its warnings and columns. `folder` is the folder of the
   /// scene's file, for mesh files named relative to it. `given` are histories that the program evaluates, see
   /// Histories. Throws InputError with the list path.
   Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".",
@@ -58,6 +61,22 @@ class Simulation {
   StopCriteria stop_criteria() const;
   const std::string& mesh_fingerprint() const { return mesh_fingerprint_; }  ///< see fingerprint()
   const MeshQuality& mesh_quality() const { return mesh_quality_; }
+
+  const Stages& stages() const { return plan_->stages; }
+  /// Returns the number of this stage, from 0, and the times at which it and those after the first one began [T0].
+  std::size_t stage() const { return begins_.size(); }
+  const std::vector<double>& stage_begins() const { return begins_; }
+  bool has_next_stage() const { return stage() + 1 < stages().count(); }
+  /// Builds the next stage, which begins at that time [T0], without a state: hand_over() or a checkpoint gives it that
+  /// of this one. Throws std::logic_error if there is none; InputError as the constructor does.
+  std::unique_ptr<Simulation> next_stage(double begin) const;
+  /// Returns the time at which the last stage ends if each comes to its Final Time [T0].
+  double planned_end() const { return planned_end_; }
+  /// Returns the columns of history.csv, with those of other stages.
+  const std::vector<std::string>& run_columns() const { return plan_->columns; }
+  /// Returns the velocities that the list "Initial Conditions" gives [L0/T0], a local array.
+  std::vector<double> given_velocities() const;
+
   const std::vector<SetSize>& set_sizes() const { return set_sizes_; }  ///< before contact elements add nodes
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
@@ -75,13 +94,26 @@ class Simulation {
   std::vector<int> partition(const Mesh& mesh, int ranks, Inertia inertia) const;
   /// Extracts a rank's part, with its coarse cells if the solver may use them.
   LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks, Inertia inertia) const;
-  using MakeMesh = std::function<Mesh(Teuchos::ParameterList& list)>;
-  Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const MakeMesh& make_mesh,
-             const GivenHistories& given);
-  void build_model(const Comm& comm, const MakeMesh& make_mesh, const GivenHistories& given, Inertia inertia);
+  /// What the simulations of all stages are built from, and what they have in common.
+  struct Plan {
+    Stages stages;
+    std::function<Teuchos::ParameterList(const Teuchos::ParameterList&)> with_files;
+    std::function<Mesh(Teuchos::ParameterList& list)> make_mesh;
+    GivenHistories given;
+    std::vector<std::string> columns{};
+    std::vector<int> owner{};  ///< the ranks of the nodes, if there are several stages
+  };
+  static Plan given_mesh_plan(const Teuchos::ParameterList& scene, const Mesh& mesh, const GivenHistories& given);
+  Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins);
+  void build_model(const Comm& comm, Inertia inertia);
+  void look_ahead();
+  void refuse_jump_to(const Simulation& next) const;
   void build_integrator(Table table);
   void set_initial_state();
 
+  std::shared_ptr<Plan> plan_;
+  std::vector<double> begins_;
+  double planned_end_ = 0;
   Teuchos::ParameterList parameters_;
   const UnitSystem units_;
   std::vector<ResultUnit> result_units_;

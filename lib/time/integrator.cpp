@@ -97,6 +97,11 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   find_forces();
 }
 
+void Integrator::await_state(double time) {
+  const std::vector<double> zero(static_cast<std::size_t>(model_.space().local()), 0.0);
+  begin_at(zero, zero, time);
+}
+
 /// Sets the state, discards what earlier steps left, and begins the terms' histories.
 void Integrator::begin_at(std::vector<double> u, std::vector<double> v, double time) {
   discard_past();
@@ -141,6 +146,18 @@ void Integrator::resume(const State& state, const Works& before) {
   resume(state);
   dissipated_ = dissipated_before_ = before.dissipated;
   external_work_ = before.external;
+}
+
+void Integrator::continue_works(const Integrator& before, double external) {
+  dissipated_ = dissipated_before_ = before.dissipated_;
+  external_work_ = before.external_work_ + external;
+  const std::vector<std::string>&mine = model_.dissipation_names(), &others = before.model_.dissipation_names();
+  for (std::size_t i = 0; i < mine.size(); ++i) {
+    const auto found = std::find(others.begin(), others.end(), mine[i]);
+    if (found == others.end()) continue;
+    dissipations_[i] = before.dissipations_[static_cast<std::size_t>(found - others.begin())];
+    dissipated_before_ -= dissipations_[i];
+  }
 }
 
 Place Integrator::place() const {

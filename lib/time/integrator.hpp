@@ -48,6 +48,10 @@ class Integrator {
   /// Constrained degrees of freedom take their motion's values. Throws InputError if the state is inadmissible.
   void initialize(std::vector<double> u, std::vector<double> v, double time);
 
+  /// Begins without displacements, and does not ask whether that is admissible: transfer() follows, which loads a
+  /// state.
+  void await_state(double time);
+
   /// Continues from a state of this model, which may be that of another integrator: as a run does that resumes from
   /// displacements, velocities and histories. Predictors forget earlier steps; works count from 0.
   /// Throws InputError if the state is inadmissible.
@@ -55,6 +59,10 @@ class Integrator {
   /// Does the same, and adds to the works of another integrator, perhaps one of another mesh or scheme. The works of
   /// single sources count from 0.
   void resume(const State& state, const Works& before);
+
+  /// Counts on from the works of another integrator, source by source, and adds to the external work. What sources that
+  /// this one does not have have dissipated counts as dissipated before.
+  void continue_works(const Integrator& before, double external);
 
   /// Takes one step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.
   StepResult step(double dt);

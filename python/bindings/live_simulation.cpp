@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <thread>
+#include <utility>
 
 #include "scene_list.hpp"
 
@@ -21,7 +22,10 @@ std::thread::id computing_thread;
 
 LiveSimulation::LiveSimulation(const Teuchos::ParameterList& scene, const std::string& file, const py::object& comm,
                                const Mesh* mesh)
-    : file_(file), comm_(comm), end_([this] { simulation_.reset(); }) {
+    : file_(file), comm_(comm), end_([this] {
+        simulation_.reset();
+        earlier_.clear();
+      }) {
   const Comm ranks = communicator(comm_);
   const std::string folder = std::filesystem::path(file).parent_path().string();
   const Computing guard;
@@ -29,6 +33,11 @@ LiveSimulation::LiveSimulation(const Teuchos::ParameterList& scene, const std::s
     return mesh != nullptr ? std::make_unique<Simulation>(scene, *mesh, ranks)
                            : std::make_unique<Simulation>(scene, ranks, folder);
   });
+}
+
+void LiveSimulation::go_on_with(std::shared_ptr<Simulation> stage) {
+  earlier_.push_back(std::move(simulation_));
+  simulation_ = std::move(stage);
 }
 
 Simulation& LiveSimulation::get() const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/simulation.hpp"
 #include "session.hpp"
@@ -25,12 +26,15 @@ class LiveSimulation {
   Integrator& integrator() const { return get().integrator(); }
   const State& state() const { return integrator().state(); }
   const std::string& file() const { return file_; }  ///< of the scene; may be empty
+  /// Has the simulation of a later stage take the place of the present one, which stays: arrays may view its state.
+  void go_on_with(std::shared_ptr<Simulation> stage);
 
  private:
   friend class Changing;
   std::string file_;
   pybind11::object comm_;
-  std::unique_ptr<Simulation> simulation_;
+  std::shared_ptr<Simulation> simulation_;
+  std::vector<std::shared_ptr<Simulation>> earlier_;
   bool changing_ = false;
   EndsWithSession end_;
 };

@@ -45,6 +45,7 @@ RunResult run_live(const py::object& self, const std::string& folder, bool overw
     guarded([&] { notify(self); });
     return std::string();
   };
+  options.stage = [&](const std::shared_ptr<Simulation>& stage) { simulation.go_on_with(stage); };
   options.interrupted = [&] {
     guarded([] {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();

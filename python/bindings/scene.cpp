@@ -98,7 +98,7 @@ std::pair<List*, const List*> make(SceneList& scene, const Path& path) {
   Path here;
   for (const std::string& name : path) {
     here.push_back(name);
-    if (known != nullptr) known = valid_sublist(*known, name, joined(here));
+    if (known != nullptr) known = valid_sublist(lists_of(*known, scene_parameters()), name, joined(here));
     check_name(name);
     if (list->isParameter(name) && !list->isSublist(name))
       throw InputError(joined(here) + " is a parameter of the scene, not a list");
@@ -176,7 +176,7 @@ void bind_scene(py::module_& module) {
              Path here;
              for (const std::string& word : path) {
                here.push_back(word);
-               if (known != nullptr) known = valid_sublist(*known, word, joined(here));
+               if (known != nullptr) known = valid_sublist(lists_of(*known, scene_parameters()), word, joined(here));
              }
              if (known != nullptr && !is_free_form(*known)) valid_entry(*known, name, joined(path, name));
            })

@@ -17,6 +17,7 @@
 #include "scene/read/friction.hpp"
 #include "scene/read/grips.hpp"
 #include "scene/read/mesh_parts.hpp"
+#include "scene/read/scene_units.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
@@ -166,6 +167,23 @@ std::string solution(const Simulation& simulation) {
       simulation.newton().tolerance, linear_solver_in_words(linear));
 }
 
+/// Returns a line for each stage.
+std::string stages_in_words(const Simulation& simulation) {
+  const Stages& stages = simulation.stages();
+  if (!stages.any()) return "";
+  std::string text = "Stages:\n";
+  const std::vector<double> ends = stages.planned_ends();
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const List scene = complete_scene(stages.scene({ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(k)}));
+    const List& integrator = scene.sublist("Time Integrator");
+    text +=
+        fmt::format("  {}: {}, to {:.6g} T0 in steps of {} T0{}\n", stages.name(k), integrator.get<std::string>("Type"),
+                    ends[k], integrator.sublist("Time Step Control").get<double>("Time Step"),
+                    integrator.sublist("Stop").numParams() > 0 ? ", unless a criterion ends it" : "");
+  }
+  return text;
+}
+
 std::string memory(const Simulation& simulation) {
   const Model& model = simulation.model();
   const double d = model.mesh().dimension;
@@ -211,8 +229,9 @@ std::string notes(const Simulation& simulation) {
 }  // namespace
 
 std::string explain(const Simulation& simulation) {
-  return bodies(simulation) + surroundings(simulation) + solution(simulation) + memory(simulation) +
-         frames(simulation) + notes(simulation) + left_out(simulation) + explain_numbers(simulation);
+  return bodies(simulation) + surroundings(simulation) + solution(simulation) + stages_in_words(simulation) +
+         memory(simulation) + frames(simulation) + notes(simulation) + left_out(simulation) +
+         explain_numbers(simulation);
 }
 
 }  // namespace ixos

@@ -2,16 +2,52 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "histories/catalogue.hpp"
+#include "histories/shifted.hpp"
 
 namespace ixos {
+namespace {
+
+using List = Teuchos::ParameterList;
+
+const char* const time_shift = "Time Shift";
+const char* const value_shift = "Value Shift";
+
+std::shared_ptr<const TimeFunction> make(const SceneNode& node) {
+  auto function = histories().make(node);
+  const double time = node.number(time_shift), value = node.number(value_shift);
+  return time == 0 && value == 0 ? function : shifted(std::move(function), time, value);
+}
+
+}  // namespace
+
+void declare_history(List& list) {
+  histories().declare(list);
+  list.set(time_shift, 0.0, "Time by which the function is moved [T0]: later, if it is positive.", any_number());
+  list.set(value_shift, 0.0, history_value("Number that is added to the value of the function"), any_number());
+}
+
+void shift_history(List& list, double time, double value) {
+  for (const auto& [name, shift] : {std::pair(time_shift, time), {value_shift, value}}) {
+    const bool is_whole = list.isType<int>(name);
+    const double before = is_whole ? list.get<int>(name) : list.isParameter(name) ? list.get<double>(name) : 0.0;
+    list.set(name, before + shift);
+  }
+}
+
+double history_at(const SceneNode& list, const GivenHistories& given, const std::string& name, double time) {
+  if (const auto found = given.find(name); found != given.end()) return found->second->at(time).value;
+  return list.list().isSublist(name) ? make(list.sublist(name))->at(time).value : 0;
+}
 
 Histories::Histories(const SceneNode& list, double initial_time, double final_time, const GivenHistories& given,
                      bool statics)
     : given_(given), list_(list), initial_time_(initial_time), final_time_(final_time), statics_(statics) {
-  for (const SceneNode& node : list.sublists()) functions_[node.name()] = histories().make(node);
+  for (const SceneNode& node : list.sublists()) functions_[node.name()] = make(node);
   for (const auto& [name, function] : given) {
     if (function == nullptr) throw InputError("the program gives no function for the history \"" + name + "\"");
     functions_[name] = function;
@@ -52,9 +88,8 @@ std::vector<std::string> Histories::notes() const {
     if (is_given(node.name())) continue;
     const double end = functions_.at(node.name())->ramp_end();
     if (end > final_time_ + 1e-9 * (final_time_ - initial_time_))
-      notes.push_back(placed(
-          node.path(),
-          fmt::format("the ramp ends at Start + Length = {}, after the Final Time {} of the run", end, final_time_)));
+      notes.push_back(placed(node.path(), fmt::format("the ramp ends at t = {} T0, after the Final Time {} of the run",
+                                                      end, final_time_)));
   }
   return notes;
 }

@@ -10,11 +10,21 @@
 
 namespace ixos {
 
+/// Adds the parameters of a history to a valid list.
+void declare_history(Teuchos::ParameterList& list);
+
+/// Moves the history of a list by so much in time [T0] and in value, in addition to what the list says already.
+void shift_history(Teuchos::ParameterList& list, double time, double value);
+
 /// The use of a history: a motion needs its derivatives.
 enum class HistoryUse { Motion, Load };
 
 /// Functions of the calling program by name, in plain numbers.
 using GivenHistories = std::map<std::string, std::shared_ptr<const TimeFunction>>;
+
+/// Returns the value at a time of the history of that name: of the program's, else of the validated list "Histories"; 0
+/// if there is none.
+double history_at(const SceneNode& list, const GivenHistories& given, const std::string& name, double time);
 
 /// The list "Histories", which must outlive this. It is read at once; each history is checked over the run at the first
 /// request for it. Functions of the program join those of the list; one of the same name takes the list's place.

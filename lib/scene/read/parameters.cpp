@@ -2,12 +2,12 @@
 
 #include <Teuchos_Array.hpp>
 
-#include "histories/catalogue.hpp"
 #include "parameters/one_of.hpp"
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
 #include "scene/output/output_options.hpp"
 #include "scene/read/grips.hpp"
+#include "scene/read/histories.hpp"
 #include "scene/read/initial_conditions.hpp"
 #include "scene/read/interactions.hpp"
 #include "scene/read/materials.hpp"
@@ -15,6 +15,7 @@
 #include "scene/read/mesh_sets.hpp"
 #include "scene/read/newton_options.hpp"
 #include "scene/read/scene_mesh.hpp"
+#include "scene/read/stages.hpp"
 #include "scene/read/stop.hpp"
 #include "scene/read/time_integrator_options.hpp"
 
@@ -94,7 +95,7 @@ List make_scene_parameters() {
   add_mesh(scene.sublist("Mesh", false, "Mesh of the bodies."));
   declare_material(scene.sublist("Materials", false, "One list for each block of the mesh.").sublist(any_name));
   declare_interaction(scene.sublist("Interactions", false, "One list for each adhesive surface.").sublist(any_name));
-  histories().declare(
+  declare_history(
       scene.sublist("Histories", false, "Named functions of time for motions and loads.").sublist(any_name));
   add_condition(scene.sublist("Boundary Conditions", false, "One list for each prescribed motion and each load.")
                     .sublist(any_name));
@@ -114,6 +115,7 @@ List make_scene_parameters() {
       "Operator is Automatic, Assembled or Matrix-Free, and Reuse/Setup Cost is the cost of a new preconditioner in "
       "iterations of the linear solver."));
   add_output(scene.sublist("Output", false, "Results that a run writes."));
+  declare_stages(scene);
   return scene;
 }
 

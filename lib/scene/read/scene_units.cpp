@@ -24,7 +24,7 @@ using Path = std::vector<std::string>;
 /// Calls visit(path, list, name, valid entry) for each parameter of the list that the valid list knows, at all depths.
 template <class AnyList, class Visit>
 void walk(AnyList& list, const List& valid, Path& path, const Visit& visit) {
-  if (is_free_form(valid)) return;
+  if (is_free_form(valid) || is_like_root(valid)) return;
   std::vector<std::string> names;
   for (const auto& [name, entry] : entries(list)) names.push_back(name);
   for (const std::string& name : names) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/closest_name.hpp"
+#include "model/set_reactions.hpp"
 #include "model/state_report.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
@@ -13,7 +14,7 @@
 namespace ixos {
 namespace {
 
-enum class Kind { Probe, Detached };
+enum class Kind { Probe, Detached, Reaction };
 
 /// The entries of "Probe".
 struct ProbeLimit {
@@ -23,10 +24,19 @@ struct ProbeLimit {
   double limit = 0;
 };
 
+/// The entries of "Reaction".
+struct ReactionLimit {
+  std::string set = required;
+  std::string component = "y";
+  bool above = true;
+  double limit = 0;
+};
+
 /// The entries of a criterion.
 struct Parameters {
   Kind kind = Kind::Probe;
   ProbeLimit probe{};
+  ReactionLimit reaction{};
 };
 
 Options<ProbeLimit> probe_options() {
@@ -40,13 +50,29 @@ Options<ProbeLimit> probe_options() {
                "Limit of the quantity [L0 for a coordinate or displacement, L0/T0 for a velocity].", any_number());
 }
 
+Options<ReactionLimit> reaction_options() {
+  return Options<ReactionLimit>()
+      .add("Node Set", &ReactionLimit::set, "Node set whose displacements are prescribed.")
+      .add("Component", &ReactionLimit::component, "Direction of the force.", one_of({"x", "y", "z"}))
+      .choose("Side", &ReactionLimit::above, {{"Above", true}, {"Below", false}},
+              "Side of the limit on which the run ends.")
+      .require(
+          "Limit", &ReactionLimit::limit,
+          "Limit of the reaction of the set: the sum of the forces on the body there [E0 L0 for a set in 2D, E0 L0^2 "
+          "for a set in 3D]. On an axisymmetric mesh it has the unit of 3D.",
+          any_number());
+}
+
 const Options<Parameters>& options() {
   static const Options<Parameters> all =
       Options<Parameters>()
-          .choose_list("Type", &Parameters::kind, {{"Probe", Kind::Probe}, {"Detached", Kind::Detached}},
+          .choose_list("Type", &Parameters::kind,
+                       {{"Probe", Kind::Probe}, {"Detached", Kind::Detached}, {"Reaction", Kind::Reaction}},
                        "Kind of criterion. Probe is met when a probe passes a limit; Detached when the contact of a "
-                       "surface that was in contact is lost.")
-          .sublist("Probe", &Parameters::probe, probe_options(), "A limit on a probe.");
+                       "surface that was in contact is lost; Reaction when the force that holds a node set passes a "
+                       "limit, such as a preload.")
+          .sublist("Probe", &Parameters::probe, probe_options(), "A limit on a probe.")
+          .sublist("Reaction", &Parameters::reaction, reaction_options(), "A limit on the reaction of a node set.");
   return all;
 }
 
@@ -71,6 +97,16 @@ StopCriteria::StopCriteria(const SceneNode& list, const std::vector<Probe>& prob
     const Parameters p = options().read(node);
     if (p.kind == Kind::Detached) {
       if (!model.has_interactions()) node.refuse("Type", "\"Detached\" needs an interaction");
+    } else if (p.kind == Kind::Reaction) {
+      criterion.set = p.reaction.set;
+      criterion.quantity = p.reaction.component;
+      if (criterion.quantity.back() - 'x' >= model.mesh().dimension)
+        node.sublist("Reaction")
+            .refuse("Component",
+                    fmt::format("\"{}\" is no direction of {} dimensions", criterion.quantity, model.mesh().dimension));
+      at(node.sublist("Reaction").path_of("Node Set"), [&] { check_held(model, criterion.set); });
+      criterion.above = p.reaction.above;
+      criterion.limit = p.reaction.limit;
     } else {
       const SceneNode probe = node.sublist("Probe");
       criterion.probe = at(probe.path_of("Name"), [&]() -> const Probe* { return &probe_named(probes, p.probe.name); });
@@ -85,8 +121,19 @@ StopCriteria::StopCriteria(const SceneNode& list, const std::vector<Probe>& prob
   }
 }
 
+bool StopCriteria::passes(const Criterion& criterion, double value) {
+  return criterion.above ? value >= criterion.limit : value <= criterion.limit;
+}
+
 std::string StopCriteria::reason(const Model& model, const State& state) {
   for (const Criterion& criterion : criteria_) {
+    if (!criterion.set.empty()) {
+      const auto axis = static_cast<std::size_t>(criterion.quantity.back() - 'x');
+      const double force = set_reaction(model, state.reaction, criterion.set)[axis];
+      if (!passes(criterion, force)) continue;
+      return fmt::format("{}: the reaction {} of {} is {:.6g}, {} the limit {:.6g}", criterion.name, criterion.quantity,
+                         criterion.set, force, criterion.above ? "above" : "below", criterion.limit);
+    }
     if (criterion.probe == nullptr) {
       const bool attached = StateReport(model, state).interaction_report().measure > 0;
       if (was_attached_ && !attached) return criterion.name + ": the surface is detached";
@@ -94,7 +141,7 @@ std::string StopCriteria::reason(const Model& model, const State& state) {
       continue;
     }
     const double value = probe_value(*criterion.probe, criterion.quantity, model, state);
-    if (criterion.above ? value >= criterion.limit : value <= criterion.limit)
+    if (passes(criterion, value))
       return fmt::format("{}: {} of probe {} is {:.6g}, {} the limit {:.6g}", criterion.name, criterion.quantity,
                          criterion.probe->name, value, criterion.above ? "above" : "below", criterion.limit);
   }

@@ -27,11 +27,14 @@ class StopCriteria {
  private:
   struct Criterion {
     std::string name;
-    const Probe* probe = nullptr;  ///< null: until detached
+    const Probe* probe = nullptr;  ///< null: until detached, unless there is a set
+    std::string set{};             ///< whose reaction is limited
     std::string quantity;
     bool above = true;
     double limit = 0;
   };
+  static bool passes(const Criterion& criterion, double value);
+
   std::vector<Criterion> criteria_;
   bool was_attached_ = false;
 };

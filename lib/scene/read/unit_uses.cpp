@@ -77,6 +77,7 @@ std::set<std::string> UnitUses::of(const std::vector<std::string>& path, const L
     return {type, type + " in " + dimension_};
   }
   if (path.size() == 2 && path[0] == "Grips") return {"grip in " + dimension_};
+  if (path.size() == 4 && path[1] == "Stop" && path[3] == "Reaction") return {"set in " + dimension_};
   if (path.size() == 4 && path[1] == "Stop")
     return {text(list, "Quantity", probe_)[0] == 'v' ? "velocity" : "coordinate or displacement"};
   return {};

@@ -88,8 +88,7 @@ TEST(HistoriesTest, ARampMayOutlastTheRun) {
     const std::string scheme = shape == "Linear" ? "Static" : "Newmark";  // its rate jumps at the start
     const Simulation longer(plate("Displacement", ramp(4, 8, shape), scheme), world());
     ASSERT_EQ(longer.notes().size(), 1U) << shape;
-    EXPECT_EQ(longer.notes()[0],
-              "Histories/H: the ramp ends at Start + Length = 12, after the Final Time 10 of the run");
+    EXPECT_EQ(longer.notes()[0], "Histories/H: the ramp ends at t = 12 T0, after the Final Time 10 of the run");
     EXPECT_TRUE(Simulation(plate("Load", ramp(4, 6, shape), "Newmark"), world()).notes().empty()) << shape;
   }
 }

@@ -1,0 +1,79 @@
+#include "run/handover.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/all_to_all.hpp"
+#include "base/memory_record.hpp"
+#include "model/state_report.hpp"
+
+namespace ixos {
+namespace {
+
+/// The record of a state that goes to another model with the same nodes on each rank.
+class Handover final : public MemoryRecord {
+ public:
+  Handover(Values& values, bool loading, const DofSpace& space)
+      : MemoryRecord(values, loading ? 0 : 1), space_(space) {}
+
+  bool same_scene() const override { return false; }
+  bool same_solution() const override { return false; }
+  bool same_partition() const override { return false; }  // the sides and cells of a rank may be others
+
+  void field(const char* name, std::vector<double>& values, Extent extent) override {
+    std::vector<double>& kept = of(name).numbers;
+    const auto owned = static_cast<std::size_t>(space_.owned());
+    if (!loading()) {
+      kept.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(std::min(owned, values.size())));
+      return;
+    }
+    values = kept;
+    if (space_.maximum(kept.empty() ? 0 : 1) == 0) return;
+    values.resize(extent == Extent::Local ? static_cast<std::size_t>(space_.local()) : owned, 0.0);
+    if (extent == Extent::Local) space_.update_ghosts(values.data());
+  }
+  void all_shares(const char* name, std::vector<double>& values) override {
+    const std::vector<std::vector<double>> mine(static_cast<std::size_t>(space_.comm()->getSize()), of(name).numbers);
+    values.clear();
+    for (const std::vector<double>& share : all_to_all(mine, space_.comm()))
+      values.insert(values.end(), share.begin(), share.end());
+  }
+
+ private:
+  const DofSpace& space_;
+};
+
+/// Returns kinetic, elastic and interaction energy [E0 L0^D].
+double energy(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const StateReport report(model, simulation.integrator().state());
+  return report.momenta().kinetic_energy + report.elastic_energy() +
+         (model.has_interactions() ? report.energy(Part::Interaction) : 0.0);
+}
+
+void add_velocities(Simulation& simulation) {
+  Integrator& integrator = simulation.integrator();
+  State state = integrator.state();
+  const std::vector<double> given = simulation.given_velocities();
+  for (std::size_t i = 0; i < given.size(); ++i) state.v[i] += given[i];
+  integrator.resume(state, integrator.works());
+}
+
+}  // namespace
+
+void hand_over(Simulation& from, Simulation& to) {
+  MemoryRecord::Values values;
+  Handover out(values, false, from.model().space());
+  from.integrator().transfer(out);
+  Handover in(values, true, to.model().space());
+  Integrator& integrator = to.integrator();
+  integrator.transfer(in);
+  if (to.stages().any() && to.stages().gives_velocities(to.stage())) add_velocities(to);
+  const double before = energy(from), after = energy(to);
+  const bool same = std::abs(after - before) <= 1e-12 * std::max(std::abs(before), std::abs(after));
+  integrator.continue_works(from.integrator(), same ? 0 : after - before);
+}
+
+}  // namespace ixos
