@@ -13,6 +13,8 @@ import sys
 CONTENTS = {
     "Guide": ["docs/user-guide", "docs/python", "docs/embedding", "docs/embedding-evaluator", "docs/embedding-stepping",
               "docs/meshes", "docs/packages"],
+    "Help by need": ["docs/help/"],
+    "Tutorials": ["docs/tutorials/"],
     "Cookbook": ["docs/cookbook/"],
     "Examples": ["docs/examples/"],
     "Reference": ["docs/parameters", "docs/study-parameters", "docs/theory"],

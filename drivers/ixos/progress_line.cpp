@@ -14,20 +14,32 @@ std::string duration(double seconds) {
   return fmt::format("{} s", s);
 }
 
+std::string in_words(const Progress& p) {
+  std::string text = fmt::format("t = {:.4g} of {:.4g} T0, step {}", p.time, p.final_time, p.step);
+  if (p.newton.bound > 0)
+    text += fmt::format("; the next one, {:.3g} T0: Newton iteration {}, residual {:.1e} of {:.1e}", p.time_step,
+                        p.newton.iteration, p.newton.residual, p.newton.bound);
+  else if (p.step > 0)
+    text += fmt::format(", {:.2f} Newton iterations a step",
+                        static_cast<double>(p.newton_iterations) / static_cast<double>(p.step));
+  return p.seconds_left > 0 ? text + ", " + duration(p.seconds_left) + " left" : text;
+}
+
 void ProgressLine::show(const Progress& p) {
-  if (last_shown_ < 0) first_time_ = p.time;
-  if (last_shown_ >= 0 && p.wall_seconds - last_shown_ < 0.2 && p.time < p.final_time) return;
+  if (last_shown_ < 0) last_shown_ = p.wall_seconds;
+  if (p.wall_seconds - last_shown_ < interval_) return;
   last_shown_ = p.wall_seconds;
-  const double done = (p.time - first_time_) / (p.final_time - first_time_);
-  const double left = done > 0 ? p.wall_seconds * (1 - done) / done : 0;
-  fmt::print(stderr, "\r\033[Kt = {:.4g} of {:.4g} T0, step {}, {:.2f} Newton iterations a step, {} left", p.time,
-             p.final_time, p.step, static_cast<double>(p.newton_iterations) / static_cast<double>(p.step),
-             duration(left));
+  if (is_terminal_)
+    fmt::print(stderr, "\r\033[K{}", in_words(p));
+  else
+    fmt::print(stderr, "{}\n", in_words(p));
+  stands_ = is_terminal_;
   std::fflush(stderr);
 }
 
 void ProgressLine::clear() {
-  if (last_shown_ >= 0) fmt::print(stderr, "\r\033[K");
+  if (stands_) fmt::print(stderr, "\r\033[K");
+  stands_ = false;
 }
 
 }  // namespace ixos

@@ -80,13 +80,13 @@ RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tel
   }
   options.interrupted = signalled;
   options.observe = observe;
-  ProgressLine line;
-  const bool shows = heard && isatty(STDERR_FILENO) != 0;
-  if (shows || arguments.kill_after_step > 0)
+  ProgressLine line(isatty(STDERR_FILENO) != 0);
+  if (heard || arguments.kill_after_step > 0)
     options.watch = [&](const Progress& p) {
-      if (shows) line.show(p);
+      if (heard) line.show(p);
       if (p.step == arguments.kill_after_step) std::raise(SIGKILL);
     };
+  if (heard) options.iterate = [&](const Progress& p) { line.show(p); };
   RunResult result = run(simulation, options);
   line.clear();
   return result;

@@ -11,7 +11,7 @@ import style
 import units
 from exodus import Fields
 from fields import draw_body
-from results import ResultsError, Run, wall_height, within
+from results import ResultsError, Run, flat_wall, within
 from style import plt
 
 EPILOG = """Examples:
@@ -106,7 +106,7 @@ def main():
     bound = float(np.quantile(np.abs(values), 0.999))
     noise = style.is_noise("first_stress_invariant", np.array(values)) or not bound
     colors = style.color_scale("first_stress_invariant", np.array(values), None if noise else (-bound, bound))
-    wall = wall_height(arguments.folder)
+    wall = flat_wall(arguments.folder)
     limits = style.box(np.concatenate([polygon for frame in outlines for polygon in frame]), wall)
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.4, 4.0), layout="constrained", width_ratios=[1.15, 1])

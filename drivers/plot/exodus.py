@@ -44,6 +44,26 @@ class Fields:
         """A nodal vector (displacement, velocity, ..., reaction): a row a node; of a scalar (gap) a value a node."""
         return self._file.at(name, frame)
 
+    def nodal_names(self):
+        """The names of the fields of nodes."""
+        return [name for name in self._file if self._file.is_nodal(name)]
+
+    def nodal_components(self, name, frame):
+        """A field of nodes in the units of the axes: arrays by the names of its components, or of the field."""
+        if not self._file.is_nodal(name):
+            raise ResultsError(f"{self.path}: '{name}' is a field of cells; fields of nodes: {', '.join(self.nodal_names())}")
+        values = self._file.at(name, frame) * self._factor(units.field_quantity(name))
+        if values.ndim == 1:
+            return {name: values}
+        return {name + axis: column for axis, column in zip("XYZ", values.T)}
+
+    def nodes_of(self, name):
+        """The nodes of a node set or a side set."""
+        sets = {**self._file.side_set_nodes, **self._file.node_sets}
+        if name not in sets:
+            raise ResultsError(f"{self.path} has no set '{name}'; it has {', '.join(sorted(sets))}")
+        return sets[name]
+
     def displacement(self, frame):
         """Displacements: a row a node."""
         return self.nodal("displacement", frame) * self._factor("length")

@@ -7,7 +7,7 @@ import options
 import style
 import units
 from exodus import Fields
-from results import ResultsError, wall_height
+from results import ResultsError, flat_wall
 from style import plt
 
 EPILOG = """Examples:
@@ -112,7 +112,7 @@ def main():
     fields = Fields(arguments.folder)
     wall = arguments.wall
     if wall is None and not arguments.no_wall:
-        wall = wall_height(arguments.folder)
+        wall = flat_wall(arguments.folder)
     frames = chosen_frames(fields, arguments.times, arguments.frames)
     values = [fields.element(arguments.field, frame) for frame in frames]
     if not np.isfinite(values).all():

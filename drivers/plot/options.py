@@ -127,6 +127,14 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("--si", action="store_true", help="draw in SI units; numbers of other options are in the "
                           "units of the axes then (default: L0, E0 and T0 of the scene)")
 
+    def add_along(self):
+        """Adds the options of curves along a surface."""
+        self.add_argument("--field", type=lambda text: text.split(","), metavar="NAME,...",
+                          help="fields of nodes, or components such as interaction_tractionY (default: those of "
+                          "surfaces that the file has)")
+        self.add_argument("--times", type=numbers, metavar="T1,T2,...",
+                          help="times of the curves (default: four, one of them that of the largest force)")
+
     def add_figure(self):
         """Adds the options of a figure's files; parse_args() carries them out, and `format` has the formats."""
         group = self.add_argument_group("figure")

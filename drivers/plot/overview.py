@@ -2,6 +2,7 @@
 """Draws a first picture of a run: configurations with the force that pulls, the force or else the energies over time, and
 the gap. As a command: ixos-plot RESULTS."""
 import sys
+import textwrap
 
 import numpy as np
 
@@ -10,13 +11,15 @@ import measures
 import options
 import pull
 import style
+import units
 from exodus import Fields
-from results import UNDAMPED, ResultsError, Run, wall_height
+from results import UNDAMPED, ResultsError, Run, flat_wall
 from style import plt
 
 EPILOG = """Examples:
   ixos-plot ball.results                      -> ball.results/overview.png
   ixos-plot strip.results --si --format svg   in SI units -> strip.results/overview.svg
+  ixos-plot strip.results --along bottom      gap, pressure, ... along a surface -> strip.results/along-bottom.png
 
 Configurations need fields.e (the scene must set Output/Fields Interval). An arrow shows the reaction of the set that the
 scene pulls, the longest one the largest force drawn. Forces and energies of plane bodies are per depth. The other
@@ -88,7 +91,7 @@ def draw_configurations(figure, run, fields):
     frames = frames_that_matter(run, fields, PANELS // 2 if width and width < NARROW else PANELS)
     values = [fields.element("first_stress_invariant", frame) for frame in frames]
     colors = style.color_scale("first_stress_invariant", np.array(values))
-    wall = wall_height(run.folder)
+    wall = flat_wall(run.folder)
     grid = figure.subplots(1, len(frames), sharey=True, squeeze=False)
     if fields.dimension == 3:
         import render  # VTK's rendering is loaded only where it is needed
@@ -129,7 +132,7 @@ def draw_force(axes, run):
         time, value = measures.event_peak(name, times, values, run["time"], run["contact_measure"])
         if np.isfinite(time) and times[0] < time < times[-1]:
             axes.plot(time, value, "o", color=style.INK, markersize=3, zorder=4)
-            axes.annotate(f"{name}: {value:.3g}", (time, value), (0, 4), textcoords="offset points",
+            axes.annotate(f"{name}: {value:.3g} {units.name('force', run.body_dimension)}", (time, value), (0, 4), textcoords="offset points",
                           ha="right" if time > times[-1] / 2 else "left", va="bottom", fontsize=8)
     axes.margins(y=0.2)
 
@@ -166,18 +169,25 @@ def headline(run):
         words.append("not ended")
     elif status != "completed":
         words.append(status + (f": {reason}" if reason else ""))
-    text = ", ".join(words)
-    return text if len(text) <= 110 else text[:107] + "..."
+    return textwrap.fill(", ".join(words), 110)
 
 
 def main():
     style.use_style()
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folder", metavar="RESULTS", help="a results folder (with history.csv)")
-    parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: RESULTS/overview)")
+    parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: RESULTS/overview, or along-SET)")
+    parser.add_argument("--along", metavar="SET", help="draw curves along a node set or side set instead")
+    parser.add_along()
     parser.add_figure()
     parser.add_si()
     arguments = parser.parse_args()
+    if arguments.along:
+        import along
+        frames = along.frames_at(arguments.folder, arguments.times)
+        return along.draw(arguments.folder, arguments.along, arguments.field, frames, arguments.output, arguments.format)
+    if arguments.times or arguments.field:
+        parser.error("--times and --field belong to --along SET; fields.py draws other configurations")
 
     run = Run(arguments.folder)
     curves.dress([run])
@@ -202,7 +212,7 @@ def main():
             grid[-1].set_xlim(run["time"][0], run["time"][-1])
         parts[-1].align_ylabels()
     figure.suptitle(headline(run), x=0.01, ha="left", fontsize=9, fontweight="bold")
-    style.save(figure, arguments.output or run.folder / "overview", arguments.format)
+    return style.save(figure, arguments.output or run.folder / "overview", arguments.format)
 
 
 if __name__ == "__main__":

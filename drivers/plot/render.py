@@ -114,6 +114,8 @@ def pictures(fields, frames, values, colors, wall, view=VIEW):
     require_screen()
     positions = np.concatenate([fields.coordinates + fields.displacement(frame) for frame in frames])
     low, high = positions.min(axis=0), positions.max(axis=0)
+    if isinstance(wall, tuple):
+        wall = None  # a plate that is not level hides the body
     if wall is not None:
         low[2], high[2] = min(low[2], wall), max(high[2], wall)
     window = vtkRenderWindow()

@@ -59,12 +59,16 @@ def read_summary(path):
     return summary
 
 
+# Corners of the sides of a hexahedron, in Exodus' order.
+HEX_SIDES = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 4, 7, 3], [0, 3, 2, 1], [4, 5, 6, 7]]
+
+
 class Fields:
     """The mesh and the fields of fields.e, or of its series of one file a rank. Needs netCDF4.
 
     times: of the frames. dimension: 2 or 3. points: reference coordinates, a row a node. cells: the nodes of each cell,
     a row a cell. mesh_nodes: for each node its number in the mesh, from 0. blocks and node_sets: numbers of cells and
-    of nodes by name. totals: the global variables of all frames, such as total_energy, by name. Nodes and cells are in
+    of nodes by name; side_set_nodes: those of side sets. totals: the global variables of all frames, such as total_energy, by name. Nodes and cells are in
     the order of the mesh, whatever the number of ranks.
 
     `fields["displacement"]` is an array of frames x nodes x components, `fields["jacobian"]` one of frames x cells;
@@ -103,11 +107,14 @@ class Fields:
         self.cells = np.concatenate(cells)[self._order["cell"]]
         blocks = gathered("block_of_cell")[self._order["cell"]]
         self.blocks = {name: np.flatnonzero(blocks == name) for name in self._parts[0].blocks}
-        sets = {}
-        for start, part in zip(starts, self._parts):
-            for name, nodes in part.node_sets.items():
-                sets.setdefault(name, []).append(place[start + nodes])
-        self.node_sets = {name: np.unique(np.concatenate(nodes)) for name, nodes in sets.items()}
+        def joined(kind):
+            sets = {}
+            for start, part in zip(starts, self._parts):
+                for name, nodes in getattr(part, kind).items():
+                    sets.setdefault(name, []).append(place[start + nodes])
+            return {name: np.unique(np.concatenate(nodes)) for name, nodes in sets.items()}
+
+        self.node_sets, self.side_set_nodes = joined("node_sets"), joined("side_sets")
 
     def __iter__(self):
         return (name for name, (_, parts) in self._columns.items() if not any(
@@ -125,6 +132,12 @@ class Fields:
         columns = [np.concatenate([part.values(kind, column, frame) for part in self._parts], -1)[..., order]
                    for column in names]
         return columns[0] if names == [name] else np.stack(columns, -1)
+
+    def is_nodal(self, name: str) -> bool:
+        """Returns whether a field has values for nodes; FileError if there is no such field."""
+        if name not in self._columns:
+            raise FileError(f"{self.path} has no field '{name}'; it has {', '.join(sorted(self))}")
+        return self._columns[name][0] == "node"
 
     def frame(self, time: float) -> int:
         """Returns the number of the frame nearest to a time, see nearest_frame()."""
@@ -201,10 +214,20 @@ class _Part:
         self.cells = np.concatenate(connected) if connected else np.zeros((0, 0), int)
         self.node_sets = {name: self._data[f"node_ns{number}"][:] - 1 for number, name in
                           enumerate(self._texts("ns_names"), 1) if f"node_ns{number}" in self._data.variables}
+        self.side_sets = {name: self._side_nodes(number) for number, name in
+                          enumerate(self._texts("ss_names"), 1) if f"elem_ss{number}" in self._data.variables}
         self.names = {"node": self._texts("name_nod_var"), "cell": self._texts("name_elem_var")}
         totals = self._array("vals_glo_var", np.zeros((len(self.times), 0)))
         self.totals = dict(zip(self._texts("name_glo_var"), totals.T))
         self.records = self._texts("info_records")
+
+    def _side_nodes(self, number):
+        """The corners of the sides of a set, each once; nodes between them where a plane cell has them."""
+        cells = self.cells[self._data[f"elem_ss{number}"][:] - 1]
+        sides = self._data[f"side_ss{number}"][:] - 1
+        plane = self.points.shape[1] == 2
+        corners = [[k, (k + 1) % 4, *([k + 4] if cells.shape[1] == 9 else [])] for k in range(4)] if plane else HEX_SIDES
+        return np.unique(np.take_along_axis(cells, np.array(corners)[sides], 1)) if len(cells) else np.zeros(0, int)
 
     def _array(self, name, otherwise):
         return self._data[name][:] if name in self._data.variables else otherwise

@@ -182,9 +182,9 @@ def common(runs):
     return ", ".join(values[0] for values in columns if values[0] not in (None, UNDAMPED) and len(set(values)) == 1)
 
 
-def wall_height(folder):
-    """Height of the scene's flat wall by effective.xml, in the units of the axes. 0 if it is unknown, None if there is
-    no such wall, or if it moves."""
+def flat_wall(folder):
+    """The scene's flat wall by effective.xml, in the units of the axes: its height if the body is above it, else a point
+    and the normal towards the body, as a pair. 0 if it is unknown, None if there is no such wall, or if it moves."""
     scene = read_scene(folder)
     if scene is None:
         return 0.0
@@ -202,6 +202,8 @@ def wall_height(folder):
                              for name in ("Normal", "Point"))
         except ValueError as error:
             raise ResultsError(f"{pathlib.Path(folder) / 'effective.xml'}: {error}") from None
-        if not any(normal[:-1]):
-            return point[-1] * units.factor(units.scales(folder), "length", 2) if point else 0.0
+        factor = units.factor(units.scales(folder), "length", 2)
+        if not any(normal[:-1]) and not (normal and normal[-1] < 0):
+            return point[-1] * factor if point else 0.0
+        return np.array(point or [0.0] * len(normal)) * factor, np.array(normal) / np.linalg.norm(normal)
     return None

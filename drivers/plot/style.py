@@ -97,12 +97,24 @@ def legend(figure, handles, names, title=None):
                   borderaxespad=0.2, handlelength=2.2, title_fontproperties={"weight": "bold"})
 
 
-def draw_wall(axes, height):
-    """A rigid wall below `height` across the axes: a line and a hatched band, drawn within the present limits."""
-    left, right = axes.get_xlim()
-    bottom = axes.get_ylim()[0]
-    axes.fill_between([left, right], bottom, height, facecolor="none", hatch="/////", edgecolor="#8C8C8C", linewidth=0)
-    axes.plot([left, right], [height, height], color=INK, linewidth=0.9)
+def draw_wall(axes, wall):
+    """A rigid wall across the axes: a line and a hatched area behind it, drawn within the present limits. wall: its
+    height, or a point and the normal towards the body."""
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    point, normal = wall if isinstance(wall, tuple) else (np.array([0.0, wall]), np.array([0.0, 1.0]))
+    corners = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
+    behind, line = [], []
+    for start, end in zip(corners, np.roll(corners, -1, axis=0)):
+        here, there = (start - point) @ normal, (end - point) @ normal
+        if here <= 0:
+            behind.append(start)
+        if here * there < 0:
+            line.append(start + (end - start) * here / (here - there))
+            behind.append(line[-1])
+    if len(behind) > 2:
+        axes.fill(*np.array(behind).T, facecolor="none", hatch="/////", edgecolor="#8C8C8C", linewidth=0)
+    if len(line) == 2:
+        axes.plot(*np.array(line).T, color=INK, linewidth=0.9)
 
 
 def box(points, wall):
@@ -111,7 +123,7 @@ def box(points, wall):
     low, high = flat.min(axis=0), flat.max(axis=0)
     margin = 0.06 * float((high - low).max() or 1)
     low, high = low - margin, high + margin
-    if wall is not None:
+    if wall is not None and not isinstance(wall, tuple):
         low[1], high[1] = min(low[1], wall - margin), max(high[1], wall + margin)
     return (low[0], high[0]), (low[1], high[1])
 

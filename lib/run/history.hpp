@@ -9,19 +9,10 @@
 #include "base/record.hpp"
 #include "io/history_file.hpp"
 #include "run/contact_events.hpp"
-#include "run/field_norms.hpp"
+#include "run/history_row.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
-
-/// The counts that the driver adds to a row.
-struct RowCounts {
-  long step = 0;
-  double time_step = 0;
-  long newton_iterations = 0;  ///< since the row before
-  long linear_iterations = 0;
-  double wall_seconds = 0;  ///< cumulative
-};
 
 /// The writer of the rows, which it evaluates; the file is written on rank 0. Columns that the list "Output" leaves out
 /// are not evaluated and stay empty. Collective.
@@ -68,14 +59,11 @@ class History {
   void transfer(Record& record);
 
  private:
-  std::vector<double> reactions();
-  std::vector<double> grip_reactions();
-  std::vector<double> single_interactions();
-  std::vector<double> frictions();
-  void keep_force(std::size_t column, double force);
+  void keep_forces(const std::vector<double>& forces);
   double& largest_force(const std::string& column);
 
   Simulation& simulation_;
+  HistoryRow row_;
   std::vector<std::string> columns_;   ///< of the file
   std::vector<std::size_t> places_;    ///< among them, of the numbers of a row
   TableLength length_;                 ///< of the file, as loaded
@@ -85,12 +73,8 @@ class History {
   double balance_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   double max_energy_error_ = 0;
   double largest_energy_ = 0;
-  std::vector<std::string> interactions_;  ///< those with columns of their own
-  ContactEvents contacts_{{}};
-  std::vector<std::string> frictions_;  ///< those with friction
+  ContactEvents contacts_;
   std::vector<FrictionReport> friction_reports_;
-  FieldNorms norms_;
-  std::vector<std::size_t> reaction_sets_;  ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;
   double contact_measure_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   std::vector<std::pair<std::string, double>> forces_;                 ///< of the last step

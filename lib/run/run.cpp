@@ -43,8 +43,15 @@ class Run {
         files_(simulation, options.folder, options.scene_file),
         watch_(simulation),
         measures_(simulation) {
+    if (options_.iterate && comm_->getRank() == 0)
+      integrator_.watch(
+          [this](const NewtonIterate& iterate) { options_.iterate(progress(clock_.seconds(), iterate)); });
     if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
   }
+
+  ~Run() { integrator_.watch({}); }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
   void start() {
     clock_.reset();
@@ -52,6 +59,7 @@ class Run {
       begin();
     else
       go_on();
+    begin_to_count();
   }
   /// Continues the run of another simulation: takes its result, its clock and its rows.
   void take_over(Run& before);
@@ -69,12 +77,17 @@ class Run {
   void begin_files();
   void go_on();
   void resume_files();
+  void begin_to_count() {
+    first_time_ = integrator_.time();
+    first_seconds_ = clock_.seconds();
+  }
   void look_at_criteria();
   void warn_of_jump();
   void measure_row();
   bool interlude();
   void step();
   void end();
+  Progress progress(double wall_seconds, const NewtonIterate& iterate = {}) const;
   void observe(double wall_seconds);
   void checkpoint();
   bool watch_energy();
@@ -111,8 +124,10 @@ class Run {
   EnergyWatch watch_;
   RunMeasures measures_;
   RunClock clock_;
-  std::string resumed_from_;  ///< the checkpoint that the watch went back to
-  std::string stage_ends_;    ///< the reason why the stage, which is not the last one, is over
+  std::string resumed_from_;                   ///< the checkpoint that the watch went back to
+  double attempted_ = 0;                       ///< length of the last step
+  double first_time_ = 0, first_seconds_ = 0;  ///< where this process, in this simulation, began
+  std::string stage_ends_;                     ///< the reason why the stage, which is not the last one, is over
   std::function<double(double)> stable_;
 
   RunResult result_;
@@ -187,6 +202,7 @@ void Run::take_over(Run& before) {
   resumed_from_ = checkpoints_.newest();  // of another simulation: the watch does not go back there
   measures_.row(files_.history());
   stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
+  begin_to_count();
   const bool is_stage = simulation_.stage() > before.simulation_.stage();
   if (!is_stage)
     return log(fmt::format("The run continues with another simulation from t = {:.6g} T0, step {}.", integrator_.time(),
@@ -309,6 +325,7 @@ void Run::step() {
                 std::move(shorter));
   }
   if (!(before + dt > before)) return fail(fmt::format("a step of {:.3g} T0 is lost in rounding", dt));
+  attempted_ = dt;
   const StepResult step = integrator_.attempt(dt);
   result_.linear_iterations += step.linear_iterations;
   result_.newton_iterations += step.newton_iterations;
@@ -347,14 +364,21 @@ std::string Run::hints(const StepResult& step) const {
   return text;
 }
 
+/// Returns where the run stands.
+Progress Run::progress(double wall_seconds, const NewtonIterate& iterate) const {
+  const double now = integrator_.time(), end = simulation_.planned_end();
+  const double went = now - first_time_;
+  const double left = went > 0 ? (wall_seconds - first_seconds_) * (end - now) / went : 0;
+  return {now, end, result_.steps, result_.newton_iterations, wall_seconds, left, attempted_, iterate};
+}
+
 /// Shows the accepted step to the caller.
 void Run::observe(double wall_seconds) {
-  const Progress progress{integrator_.time(), simulation_.planned_end(), result_.steps, result_.newton_iterations,
-                          wall_seconds};
-  if (options_.watch && comm_->getRank() == 0) options_.watch(progress);
+  const Progress here = progress(wall_seconds);
+  if (options_.watch && comm_->getRank() == 0) options_.watch(here);
   if (!options_.observe) return;
   std::string text;
-  together<std::runtime_error>(comm_, [&] { text = options_.observe(progress); });
+  together<std::runtime_error>(comm_, [&] { text = options_.observe(here); });
   stop(first_problem(comm_, text));
 }
 

@@ -19,11 +19,15 @@ namespace ixos {
 
 /// Where a run stands, for whoever watches it.
 struct Progress {
-  double time = 0;
+  double time = 0;        ///< of the last accepted step
   double final_time = 0;  ///< of the last stage
   long step = 0;
   long newton_iterations = 0;  ///< since the start
   double wall_seconds = 0;
+  double seconds_left = 0;  ///< if the rest goes as fast as this process went so far; 0: unknown
+  double time_step = 0;     ///< of the step that was accepted, or is under way
+  /// Of the step under way; without a step under way all are 0.
+  NewtonIterate newton{};
 };
 
 struct RunOptions {
@@ -34,7 +38,9 @@ struct RunOptions {
   std::function<void(const std::string&)> log;   ///< called with lines for a person, on rank 0; may be empty
   std::function<void(const std::string&)> warn;  ///< the same of warnings
   std::function<void(const Progress&)> watch;    ///< called after every step on rank 0; may be empty
-  std::function<bool()> interrupted;             ///< asked before every step; set on all ranks or on none
+  /// Called for each iterate of Newton's method on rank 0, with the step under way. It must not throw. May be empty.
+  std::function<void(const Progress&)> iterate;
+  std::function<bool()> interrupted;  ///< asked before every step; set on all ranks or on none
   /// Called on every rank after each accepted step, when its row is recorded: a step that is rejected is not seen. It
   /// may read all that the simulation's const functions return and Integrator::acceleration(), in collective calls too.
   /// It must not change the simulation. If it returns a text on any rank, the run ends there with RunStatus::Stopped

@@ -58,6 +58,10 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
   // Reactions that do work are those before a correction: it would move the balance as much as it mends.
   newton_.corrects = table_.energy_promise > 0 && model.space().maximum(model.constraints().driven() ? 1 : 0) == 0;
   if (is_static(table_)) newton_.maximum_iterations += newton_.snap_iterations;
+  newton_.watch = [this, given = newton.watch](const NewtonIterate& iterate) {
+    if (given) given(iterate);
+    if (watch_) watch_(iterate);
+  };
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
   if (is_explicit(table_)) {
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);

@@ -1,7 +1,9 @@
 /// Time integration: one engine for every table.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/record.hpp"
@@ -92,6 +94,10 @@ class Integrator {
   /// schemes. step() does not call it. Collective.
   double stable_step(double wanted);
 
+  /// Has a function called for each iterate of Newton's method, on every rank; an empty one ends that. It must not
+  /// change the integrator or throw.
+  void watch(std::function<void(const NewtonIterate&)> function) { watch_ = std::move(function); }
+
   const Model& model() const { return model_; }
   const Table& table() const { return table_; }
   const State& state() const { return states_.front(); }
@@ -166,6 +172,7 @@ class Integrator {
   std::vector<std::unique_ptr<StageSolver>> solvers_;
   std::vector<std::size_t> solver_of_;  ///< by stage
   NewtonOptions newton_;
+  std::function<void(const NewtonIterate&)> watch_;
   Acceleration balance_;
   long version_ = 0;                         ///< of the discretization that the solvers are for
   std::unique_ptr<StableStep> stable_step_;  ///< explicit schemes

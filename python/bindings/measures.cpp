@@ -9,6 +9,7 @@
 #include "model/set_reactions.hpp"
 #include "model/state_report.hpp"
 #include "model/term_sums.hpp"
+#include "run/history_row.hpp"
 
 namespace py = pybind11;
 
@@ -91,6 +92,35 @@ py::dict probe(const LiveSimulation& simulation, const std::string& name) {
   throw InputError(no_such("probe", name, names, "The scene has"));
 }
 
+/// The columns that a run counts; the state does not have them.
+bool is_counted(const std::string& column) {
+  for (const char* name : {"step", "time_step", "newton_iterations", "linear_iterations", "wall_seconds"})
+    if (column == name) return true;
+  return false;
+}
+
+py::dict row(const LiveSimulation& simulation) {
+  std::vector<std::string> names;
+  std::vector<double> values;
+  compute(simulation, [&](Simulation& s) {
+    const HistoryRow row(s);
+    names = row.columns();
+    values = row.values({}).row;
+  });
+  py::dict result;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!is_counted(names[i])) result[py::str(names[i])] = values[i];
+  return result;
+}
+
+double column(const LiveSimulation& simulation, const std::string& name) {
+  const py::dict all = row(simulation);
+  if (all.contains(name.c_str())) return all[name.c_str()].cast<double>();
+  std::vector<std::string> names;
+  for (const auto& item : all) names.push_back(item.first.cast<std::string>());
+  throw InputError(no_such("column", name, names, "The columns of history.csv are"));
+}
+
 /// Returns nodal values of the model at the present displacement, a row a node if there are several a node.
 template <class Values>
 py::array nodal(const LiveSimulation& simulation, const Values& values) {
@@ -118,6 +148,10 @@ py::array forces(const LiveSimulation& simulation, Part part) {
 
 void bind_measures(SimulationClass& simulation) {
   simulation
+      .def("row", &row,
+           "Returns what the present state gives the columns of history.csv, by their names; NaN where Output leaves "
+           "out a group. Collective.")
+      .def("__getitem__", &column, py::arg("column"), "Returns one of row(). Collective.")
       .def_property_readonly("energies", &energies,
                              "Energies and work by their names in history.csv [E0 L0^D]. Collective.")
       .def_property_readonly(

@@ -23,7 +23,7 @@ std::vector<std::string> messages(const std::vector<Warning>& warnings) {
 /// Runs to the final time. An exception of an observer, and Ctrl-C, end the run on all ranks as a signal ends the
 /// command: with a checkpoint. Then rethrows the exception, on the rank that has it.
 RunResult run_live(const py::object& self, const std::string& folder, bool overwrite, const std::string& restart,
-                   const py::object& log) {
+                   const py::object& log, const py::object& progress) {
   auto& simulation = self.cast<LiveSimulation&>();
   const Changing change(simulation);
   std::exception_ptr stopped;
@@ -45,6 +45,8 @@ RunResult run_live(const py::object& self, const std::string& folder, bool overw
     guarded([&] { notify(self); });
     return std::string();
   };
+  if (!progress.is_none())
+    options.watch = options.iterate = [&](const Progress& here) { guarded([&] { progress(here); }); };
   options.stage = [&](const std::shared_ptr<Simulation>& stage) { simulation.go_on_with(stage); };
   options.interrupted = [&] {
     guarded([] {
@@ -62,6 +64,25 @@ RunResult run_live(const py::object& self, const std::string& folder, bool overw
 }  // namespace
 
 void bind_run(py::module_& module, SimulationClass& simulation) {
+  py::class_<Progress>(module, "Progress", "Where a run stands: after a step, or at an iterate of Newton's method.")
+      .def_readonly("time", &Progress::time, "Of the last accepted step [T0].")
+      .def_readonly("final_time", &Progress::final_time, "[T0]")
+      .def_readonly("step", &Progress::step, "Number of accepted steps.")
+      .def_readonly("newton_iterations", &Progress::newton_iterations, "Of the whole run.")
+      .def_readonly("wall_seconds", &Progress::wall_seconds)
+      .def_readonly("seconds_left", &Progress::seconds_left, "If the rest goes as fast; 0: unknown.")
+      .def_readonly("time_step", &Progress::time_step, "Of the accepted step, or of that under way [T0].")
+      .def_property_readonly(
+          "iteration", [](const Progress& p) { return p.newton.iteration; }, "Of the step under way.")
+      .def_property_readonly(
+          "residual", [](const Progress& p) { return p.newton.residual; },
+          "Norm of the residual of the step under way; 0 after a step.")
+      .def_property_readonly(
+          "bound", [](const Progress& p) { return p.newton.bound; }, "The residual at which the step has converged.")
+      .def("__repr__", [](const Progress& p) {
+        return fmt::format("<ixos.Progress: t = {:.6g} of {:.6g} T0, step {}, iteration {}>", p.time, p.final_time,
+                           p.step, p.newton.iteration);
+      });
   py::class_<RunResult>(module, "RunResult", py::dynamic_attr(), "How a run ended, and what it counted.")
       .def_property_readonly(
           "status", [](const RunResult& r) { return to_string(r.status); },
@@ -96,7 +117,8 @@ void bind_run(py::module_& module, SimulationClass& simulation) {
         return fmt::format("<ixos.RunResult: {}, t = {:.6g} T0, {} steps{}{}>", to_string(r.status), r.end_time,
                            r.steps, r.reason.empty() ? "" : ": ", r.reason);
       });
-  simulation.def("_run", &run_live, py::arg("folder"), py::arg("overwrite"), py::arg("restart"), py::arg("log"));
+  simulation.def("_run", &run_live, py::arg("folder"), py::arg("overwrite"), py::arg("restart"), py::arg("log"),
+                 py::arg("progress"));
 }
 
 }  // namespace ixos::python

@@ -10,7 +10,7 @@ scan(): a number over varied parameters. Study: many runs. On several ranks, run
 the import.
 """
 try:
-    from ._core import FileError, InputError, Mesh, RunResult, Simulation, StepResult, __version__
+    from ._core import FileError, InputError, Mesh, Progress, RunResult, Simulation, StepResult, __version__
 except ModuleNotFoundError as error:
     if error.name != "ixos._core":
         raise
@@ -23,5 +23,5 @@ from .scene import Scene
 from .simulation import SceneWarning
 from .study import Study, StudyResults
 
-__all__ = ["Fields", "FileError", "InputError", "Mesh", "Results", "RunResult", "Scene", "SceneWarning", "Simulation",
+__all__ = ["Fields", "FileError", "InputError", "Mesh", "Progress", "Results", "RunResult", "Scene", "SceneWarning", "Simulation",
            "StepResult", "Study", "StudyResults", "__version__", "results", "scan"]

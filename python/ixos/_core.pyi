@@ -75,6 +75,18 @@ class Block:
     nodes: ndarray
     owned: ndarray
 
+class Progress:
+    time: float
+    final_time: float
+    step: int
+    newton_iterations: int
+    wall_seconds: float
+    seconds_left: float
+    time_step: float
+    iteration: int
+    residual: float
+    bound: float
+
 class RunResult:
     status: str
     reason: str
@@ -105,6 +117,8 @@ class Simulation:
     def gap_ratio(self) -> float: ...
     def stable_step(self, wanted: float) -> float: ...
     def set_state(self, u: ArrayLike | None = None, v: ArrayLike | None = None, time: float | None = None) -> None: ...
+    def row(self) -> dict[str, float]: ...
+    def __getitem__(self, column: str) -> float: ...
     def interaction(self, name: str) -> dict[str, Any]: ...
     def reaction(self, node_set: str) -> ndarray: ...
     def probe(self, name: str) -> dict[str, ndarray]: ...
@@ -112,7 +126,8 @@ class Simulation:
     def explain(self) -> str: ...
     def run(self, output: str | PathLike[str], overwrite: bool = False, restart: str | PathLike[str] | None = None,
             observer: Callable[[Simulation], Any] | None = None,
-            log: Callable[[str], Any] | None = None) -> RunResult: ...
+            log: Callable[[str], Any] | None = None,
+            progress: Callable[[Progress], Any] | None = None) -> RunResult: ...
     observers: list[Callable[[Simulation], Any]]
     parameters: Scene
     time: float

@@ -93,17 +93,20 @@ class Scene(SceneLists):
     def run(self, output: str | os.PathLike | None = None, overwrite: bool = False,
             restart: str | os.PathLike | None = None, observer: Callable[[_core.Simulation], Any] | None = None,
             comm: Any = None, mesh: _core.Mesh | None = None,
-            log: Callable[[str], Any] | None = None) -> _core.RunResult:
+            log: Callable[[str], Any] | None = None,
+            progress: Callable[[_core.Progress], Any] | None = None) -> _core.RunResult:
         """Runs the scene to its end, as the command ixos does. Returns an ixos.RunResult.
 
         output: folder of the results; the scene file's name without its ending, with .results, if None. overwrite:
         replace results of another scene. restart: a checkpoint, or a folder with checkpoints, to resume from.
         observer: a function that is called with the simulation after each accepted step. log: a function that is
-        called with lines for a person, such as print. For comm and mesh see simulation().
+        called with lines for a person, such as print. progress: a function that is called on the first rank with an
+        ixos.Progress, after each step and at each iterate of Newton's method. For comm and mesh see simulation().
         """
         if output is None:
             if not self._core.file:
                 raise ValueError("output: a scene without a file needs a folder for its results")
             output = pathlib.Path(self._core.file).stem + ".results"
         simulation = self.simulation(comm, mesh)
-        return simulation.run(output, overwrite=overwrite, restart=restart, observer=observer, log=log)
+        return simulation.run(output, overwrite=overwrite, restart=restart, observer=observer, log=log,
+                              progress=progress)

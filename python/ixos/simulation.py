@@ -21,7 +21,7 @@ def report(simulation, messages):
         warnings.warn(message, SceneWarning, stacklevel=level)
 
 
-def run(self, output, overwrite=False, restart=None, observer=None, log=None):
+def run(self, output, overwrite=False, restart=None, observer=None, log=None, progress=None):
     """Runs from the present state to the scene's Final Time, with results in the folder `output`.
 
     Issues SceneWarning if the run did not reach its end: its results up to there are in the folder. An exception of an
@@ -31,7 +31,7 @@ def run(self, output, overwrite=False, restart=None, observer=None, log=None):
         self.observers.append(observer)
     try:
         folder = os.fspath(output)
-        result = self._run(folder, overwrite, os.fspath(restart or ""), log)
+        result = self._run(folder, overwrite, os.fspath(restart or ""), log, progress)
     finally:
         if observer in self.observers:  # it may have removed itself
             self.observers.remove(observer)

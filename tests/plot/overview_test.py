@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Tests of overview.py (ixos-plot), and of cells in pieces, on short runs: IXOS_DRIVER=.../ixos IXOS_XML=.../xml
 tests/plot/overview_test.py"""
+import csv
 import os
 import shutil
 import subprocess
@@ -17,6 +18,7 @@ from synthetic import peel  # noqa: E402
 
 import style  # noqa: E402
 from exodus import Fields  # noqa: E402
+from results import Run  # noqa: E402
 
 STEPS = "Time Integrator/Time Step Control/"
 STRIP = ["Mesh/Box/Divisions={20, 2}", STEPS + "Time Step=1", STEPS + "Final Time=6", "Histories/Pull/Rate Ramp/Length=5",
@@ -50,9 +52,51 @@ class OverviewTest(ScriptTest):
             self.assertIn(words, svg.read_text())
         self.assertNotIn("kinetic", svg.read_text())
 
+    def test_a_failed_run_shows_its_whole_reason(self):
+        import overview
+        run = Run(self.strip)
+        reason = " ".join(f"word{number}" for number in range(60))
+        run.summary.update(status="diverged", reason=reason)
+        lines = overview.headline(run).splitlines()
+        self.assertTrue(" ".join(lines).endswith("diverged: " + reason))
+        self.assertLessEqual(max(map(len, lines)), 110)
+
+    def test_curves_along_a_surface_are_those_of_the_force(self):
+        folder = self.folder / "along"
+        simulate(folder, STRIP + ["Output/Fields={displacement, gap, contact_pressure, interaction_traction}",
+                                  "Interactions/Wall/Contact Element=Q1C1"],
+                 scene="strip.xml")
+        png, data = self.draw("overview.py", folder, "--along", "contact", "--times", "3,6", "--data")
+        self.assertEqual(png, folder / "along-contact.png")
+        with open(data, encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        run = Run(folder)
+
+        def curve(panel, time):
+            return np.array([(float(row["x"]), float(row["y"])) for row in rows
+                             if row["panel"].startswith(panel) and row["line"].startswith(f"t = {time} ")]).T
+
+        for time in (3, 6):
+            at = int(np.argmin(np.abs(run["time"] - time)))
+            x, gap = curve("gap", time)
+            self.assertTrue((np.diff(x) > 0).all())
+            self.assertAlmostEqual(gap.min() / run["min_gap"][at], 1, 2)  # between nodes it may be less
+            # The force on the body is the integral of the traction along the surface, up to the rule of trapezia.
+            place, traction = curve("interaction traction y", time)
+            force = np.sum(np.diff(place) * (traction[1:] + traction[:-1]) / 2)
+            size = np.sum(np.diff(place) * (abs(traction[1:]) + abs(traction[:-1])) / 2)
+            self.assertLess(abs(force - run["contact_force_y"][at]), 0.01 * size)
+        for words, arguments in (("has no set 'botom'; it has bottom, ", ["--along", "botom"]),
+                                 ("has no field 'gapp'; it has contact_pressure, ", ["--along", "bottom", "--field", "gapp"]),
+                                 ("belong to --along", ["--field", "gap"])):
+            done = script("overview.py", folder, *arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
+        done = script("overview.py", self.strip, "--along", "bottom", "--field", "jacobian")
+        self.assertIn("'jacobian' is a field of cells; fields of nodes: displacement, ", done.stderr)
+
     def test_the_arrow_is_the_reaction(self):
         import overview
-        from results import Run
         run, fields = Run(self.strip), Fields(self.strip)
         places, forces = overview.reaction_vectors(run, fields, [0, 3, 6])
         # The right edge, 200 L0 from the left one and held there along x, is where the probe says.
@@ -66,7 +110,6 @@ class OverviewTest(ScriptTest):
 
     def test_the_moment_of_the_largest_force_is_among_the_configurations(self):
         import overview
-        from results import Run
         run, fields = Run(self.strip), Fields(self.strip)
         kept, run.reaction = run.reaction, None
         for peak in range(len(fields.times)):
@@ -80,7 +123,6 @@ class OverviewTest(ScriptTest):
 
     def test_the_arrow_of_a_body_of_revolution_is_along_its_axis(self):
         import overview
-        from results import Run
         run, fields = Run(self.strip), Fields(self.strip)
         run.body_dimension = 3
         _, forces = overview.reaction_vectors(run, fields, [0, 3])

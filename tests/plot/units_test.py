@@ -13,8 +13,9 @@ from synthetic import peel, write_history  # noqa: E402
 
 import measures  # noqa: E402
 import pull  # noqa: E402
+import style  # noqa: E402
 import units  # noqa: E402
-from results import ResultsError, Run, wall_height  # noqa: E402
+from results import ResultsError, Run, flat_wall  # noqa: E402
 
 MOTION = """<ParameterList name="{0}"><Parameter name="Node Set" value="right"/>
   <Parameter name="Components" value="{1}"/><Parameter name="History" value="{2}"/></ParameterList>"""
@@ -58,19 +59,39 @@ class UnitsTest(ScriptTest):
                 '<ParameterList><ParameterList name="Interactions"><ParameterList name="Wall">'
                 '<Parameter name="Point" value="{0, 3}"/><ParameterList name="Motion">'
                 f'{entries}</ParameterList></ParameterList></ParameterList></ParameterList>')
-            return wall_height(folder)
+            return flat_wall(folder)
         still = '<Parameter name="Translation" value="{}"/><Parameter name="Rotation" value=""/>'
         self.assertEqual(height("still", still), 3)
         self.assertEqual(height("no_motion", ""), 3)
         self.assertIsNone(height("pressed", still.replace("{}", "{-, Press}")))
         self.assertIsNone(height("turned", still.replace('"Rotation" value=""', '"Rotation" value="Turn"')))
 
+    def test_a_wall_at_an_angle_has_a_point_and_a_normal(self):
+        folder = peel(self.folder / "oblique")
+        (folder / "effective.xml").write_text(
+            '<ParameterList><ParameterList name="Interactions"><ParameterList name="Wall">'
+            '<Parameter name="Point" value="{1, 3}"/><Parameter name="Normal" value="{-3, 4}"/>'
+            '</ParameterList></ParameterList></ParameterList>')
+        point, normal = flat_wall(folder)
+        np.testing.assert_allclose(point, [1, 3])
+        np.testing.assert_allclose(normal, [-0.6, 0.8])
+        figure, axes = style.plt.subplots()
+        axes.set(xlim=(-10, 10), ylim=(-10, 10))
+        style.draw_wall(axes, (point, normal))
+        line, = axes.lines
+        ends = np.array(line.get_data()).T
+        np.testing.assert_allclose((ends - point) @ normal, 0, atol=1e-12)
+        self.assertAlmostEqual(max(abs(ends).ravel()), 10)
+        area, = axes.patches
+        self.assertTrue(((area.get_xy() - point) @ normal < 1e-12).all())  # behind the wall
+        style.plt.close(figure)
+
     def test_a_pair_of_bodies_has_no_wall(self):
         folder = peel(self.folder / "pair")
         (folder / "effective.xml").write_text(
             '<ParameterList><ParameterList name="Interactions"><ParameterList name="Contact">'
             '<Parameter name="Primary Side Set" value="left_surface"/></ParameterList></ParameterList></ParameterList>')
-        self.assertIsNone(wall_height(folder))
+        self.assertIsNone(flat_wall(folder))
 
     def test_prefixes_keep_numbers_readable(self):
         folder = self.measured("nano", 1e-9, 2e9, 1e-9)

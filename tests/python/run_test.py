@@ -52,6 +52,42 @@ class RunTest(FolderTest):
         for name in seen[0]:
             np.testing.assert_allclose([row[name] for row in seen], done.results[name][1:], rtol=1e-14, atol=1e-18)
 
+    def test_numbers_have_the_names_of_the_history(self):
+        scene = short_ball().set("Output/Probes/tip/Point={0, 7}")
+        seen = []
+        done = scene.run(self.folder / "run", observer=lambda simulation: seen.append(simulation.row()))
+        table = done.results
+        self.assertLess({"time", "contact_force_y", "tip_uy", "tip_vx", "min_gap", "total_energy"}, set(seen[0]))
+        self.assertEqual(set(table.columns) - set(seen[0]),
+                         {"step", "time_step", "newton_iterations", "linear_iterations", "wall_seconds"})
+        for name in seen[0]:
+            np.testing.assert_array_equal([row[name] for row in seen], table[name][1:], name)
+        simulation = scene.simulation()
+        self.assertEqual(simulation["contact_force_y"], table["contact_force_y"][0])
+        with self.assertRaisesRegex(ixos.InputError, 'column "contact_force" does not exist; did you mean "contact_force_.?"'):
+            simulation["contact_force"]  # pylint: disable=pointless-statement
+
+    def test_progress_is_told_within_steps_too(self):
+        seen = []
+        done = short_ball().run(self.folder / "run", progress=lambda p: seen.append((p.step, p.iteration, p.residual, p.bound)))
+        self.assertEqual(sum(1 for _, _, _, bound in seen if bound == 0), done.steps)
+        self.assertEqual(sum(1 for _, iteration, _, _ in seen if iteration > 0), done.newton_iterations)
+        for before, after in zip(seen, seen[1:]):
+            if after[3] == 0:  # the step ended
+                self.assertLessEqual(before[2], before[3])
+
+    def test_an_observer_sees_each_stage(self):
+        scene = short_ball()
+        scene.set("Stages/Fall/Time Integrator/Time Step Control/Final Time=0.02",
+                  "Stages/Rise/Time Integrator/Type=Newmark",
+                  "Stages/Rise/Time Integrator/Time Step Control/Final Time=0.03")
+        seen = []
+        done = scene.run(self.folder / "run", observer=lambda s: seen.append((s.time, s.scheme, s.energies["kinetic_energy"])))
+        self.assertEqual([scheme for _, scheme, _ in seen], 20 * ["Average Vector Field"] + 30 * ["Newmark"])
+        np.testing.assert_allclose([time for time, _, _ in seen], done.results["time"][1:])
+        np.testing.assert_allclose([energy for _, _, energy in seen], done.results["kinetic_energy"][1:], rtol=1e-14)
+        self.assertEqual([stage["name"] for stage in done.results.summary["stages"]], ["Fall"])
+
     def test_an_observer_may_remove_itself(self):
         def once(simulation):
             seen.append(simulation.time)

@@ -95,6 +95,46 @@ TEST_F(RunTest, StaticMotionsFollowLinesAndSteps) {
   }
 }
 
+TEST_F(RunTest, IteratesOfEachStepAreTold) {
+  Simulation simulation(test::scene(pulled("", "")), world());
+  RunOptions options;
+  options.folder = folder_;
+  options.overwrite = true;
+  long iterations = 0, steps = 0;
+  Progress last;
+  options.iterate = [&](const Progress& progress) {
+    EXPECT_EQ(progress.step, steps);
+    EXPECT_GT(progress.newton.bound, 0);
+    EXPECT_NEAR(progress.time_step, 0.1, 1e-9);
+    if (progress.newton.iteration > 0) {
+      EXPECT_EQ(progress.newton.iteration, last.newton.iteration + 1);
+      ++iterations;
+    }
+    last = progress;
+  };
+  options.watch = [&](const Progress& progress) {
+    EXPECT_LE(last.newton.residual, last.newton.bound);  // the step has converged
+    EXPECT_EQ(progress.newton.iteration, 0);
+    EXPECT_EQ(progress.newton_iterations, iterations);
+    if (progress.step < 30) {
+      EXPECT_GT(progress.seconds_left, 0);
+    } else {
+      EXPECT_NEAR(progress.seconds_left, 0, 1e-9);
+    }
+    ++steps;
+  };
+  EXPECT_EQ(run(simulation, options).steps, 30);
+  if (world()->getRank() == 0) {
+    EXPECT_EQ(steps, 30);
+    EXPECT_GT(iterations, 0);
+  } else {
+    EXPECT_EQ(steps, 0);
+  }
+  // After the run nobody listens.
+  ASSERT_TRUE(simulation.integrator().step(0.1).converged);
+  EXPECT_LE(steps, 30);
+}
+
 TEST_F(RunTest, ObserversAreCalledOnEveryRankAfterEachAcceptedStep) {
   Simulation simulation(test::scene(pulled("", "")), world());
   RunOptions options;

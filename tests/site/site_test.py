@@ -16,7 +16,7 @@ import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LOADED = {("script", "src"), ("img", "src"), ("link", "href")}  # what a browser fetches by itself
-WORDS = ["peel", "checkpoint", "hamak"]  # stems that the search must find
+WORDS = ["peel", "checkpoint", "hamak", "mp4", "movi", "parallel", "troubleshoot", "symmetri"]  # stems that the search must find
 
 
 class Page(html.parser.HTMLParser):

@@ -23,6 +23,7 @@ CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]
 elsewhere = {
     "base/memory_record.hpp": ("base/snapshot_test.cpp", "values by path, saved and restored"),
     "run/handover.hpp": ("run/stages_test.cpp", "stages that go on from each other"),
+    "run/history_row.hpp": ("run/run_test.cpp", "rows of history.csv"),
     "run/stage_ends.hpp": ("run/stages_test.cpp", "ends of stages, and restarts in each"),
     "fem/cell_traits.hpp": ("fem/cell_info_test.cpp", "traits of all types; inside or not in cells/tri3_test.cpp"),
     "fem/cells/hexahedra.hpp": ("fem/cell_info_test.cpp", "sides of all types"),

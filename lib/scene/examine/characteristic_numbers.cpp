@@ -144,6 +144,28 @@ void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, S
   numbers.face_length = mean_face_length(mesh, set);
 }
 
+/// Returns the shorter side of the box around the sides of a set, without the axis that is nearest to the normal; of a
+/// body of revolution its outer radius, where the surface lies across the axis.
+double extent_of(const Mesh& mesh, const SideSet& set, const Point& normal) {
+  Point lower, upper;
+  lower.fill(infinity);
+  upper.fill(-infinity);
+  for (const Side& side : set.sides)
+    for (const Point& point : side_points(mesh, side))
+      for (std::size_t i = 0; i < 3; ++i) {
+        lower[i] = std::min(lower[i], point[i]);
+        upper[i] = std::max(upper[i], point[i]);
+      }
+  std::size_t along = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (std::abs(normal[i]) > std::abs(normal[along])) along = i;
+  if (mesh.axisymmetric && along == 1) return upper[0];
+  double extent = infinity;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i)
+    if (i != along) extent = std::min(extent, upper[i] - lower[i]);
+  return extent;
+}
+
 }  // namespace
 
 double mean_face_length(const Mesh& mesh, const SideSet& set) {
@@ -197,6 +219,7 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     numbers.elastic_length = numbers.work / body.modulus;
     const ObstacleGap found = obstacle_gap(*obstacle, nearest);
     for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = found.normal[axis][0];
+    numbers.extent = extent_of(mesh, *set, numbers.normal);
     numbers.thickness = extent_along(mesh, parts, numbers.part, numbers.normal);
     numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, numbers.thickness);
     const SceneNode& shape = list_of(block, shapes);

@@ -39,6 +39,7 @@ struct SurfaceNumbers {
   double least_gap = 0;            ///< at the nodes of the surface, before any displacement [L0]
   double largest_gap = 0;          ///< likewise [L0]
   std::array<double, 3> normal{};  ///< out of the obstacle at the node of least gap
+  double extent = 0;               ///< shorter side of the box around the set, across the normal; see extent_of() [L0]
   double thickness = 0;            ///< extent of that part along the normal [L0]
   double radius = 0;             ///< R with 1/R = 1/R of a disk + 1/R of a curved obstacle; 0 if neither is known [L0]
   double tabor = 0;              ///< (R W^2/(E*^2 r_eq^3))^(1/3); 0 if R is not known [-]

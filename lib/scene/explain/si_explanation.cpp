@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "scene/explain/regime.hpp"
 #include "scene/read/scene_units.hpp"
 
 namespace ixos {
@@ -45,9 +46,9 @@ std::string surface(const SurfaceNumbers& numbers, const Writer& write) {
   text += fmt::format("  {}: elasto-adhesive length W/E {}, cohesive zone {}, faces of the mesh {}\n", numbers.name,
                       write(numbers.elastic_length, "L0"), write(numbers.cohesive_zone, "L0"),
                       write(numbers.face_length, "L0"));
-  if (numbers.radius > 0)
-    text += fmt::format("  {}: Tabor number {:.4g} with the radius {} (below 0.1: DMT; above 5: JKR)\n", numbers.name,
-                        numbers.tabor, write(numbers.radius, "L0"));
+  if (numbers.radius > 0) text += fmt::format("  {}: radius {}\n", numbers.name, write(numbers.radius, "L0"));
+  if (const std::string words = regime_in_words(numbers); !words.empty())
+    text += fmt::format("  {}: {}\n", numbers.name, words);
   return text;
 }
 

@@ -26,12 +26,14 @@ namespace {
 /// The test that |f| is below the bound that the problem states at the current iterate.
 class ForceTest final : public NOX::StatusTest::Generic {
  public:
-  ForceTest(const NonlinearProblem& problem, double tolerance) : problem_(problem), tolerance_(tolerance) {}
+  ForceTest(const NonlinearProblem& problem, const NewtonOptions& options)
+      : problem_(problem), tolerance_(options.tolerance), watch_(options.watch) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     norm_ = solver.getSolutionGroup().getNormF();
     bound_ = problem_.convergence_bound(tolerance_);
     status_ = norm_ <= bound_ ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
+    if (watch_) watch_({solver.getNumIterations(), norm_, bound_});
     return status_;
   }
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
@@ -44,6 +46,7 @@ class ForceTest final : public NOX::StatusTest::Generic {
  private:
   const NonlinearProblem& problem_;
   double tolerance_;
+  std::function<void(const NewtonIterate&)> watch_;
   double norm_ = 0;
   double bound_ = 0;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
@@ -130,7 +133,7 @@ struct NewtonSolver::Implementation {
         linear(linear_solver.strategy()),
         evaluator(Teuchos::rcp(new ProblemEvaluator(given, linear))),
         guess(Thyra::createMember(evaluator->get_x_space())),
-        force(Teuchos::rcp(new ForceTest(given, options.tolerance))),
+        force(Teuchos::rcp(new ForceTest(given, options))),
         lost(Teuchos::rcp(new LostTest(given))),
         tests(Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR))),
         list(nox_list(given, options)) {

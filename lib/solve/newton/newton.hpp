@@ -1,6 +1,7 @@
 /// Newton's method: NOX on a NonlinearProblem.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -9,6 +10,13 @@
 #include "solve/newton/nonlinear_problem.hpp"
 
 namespace ixos {
+
+/// Where Newton's method stands.
+struct NewtonIterate {
+  int iteration = 0;    ///< 0: the guess
+  double residual = 0;  ///< |f| [-]
+  double bound = 0;     ///< below which the method has converged
+};
 
 struct NewtonOptions {
   double tolerance = 1e-11;      ///< relative: see NonlinearProblem::convergence_bound
@@ -21,6 +29,7 @@ struct NewtonOptions {
   /// Further iterations of an Integrator without inertia: a body that snaps goes a long way down the potential to its
   /// next equilibrium.
   int snap_iterations = 1000;
+  std::function<void(const NewtonIterate&)> watch{};  ///< called for each iterate, on every rank; may be empty
 };
 
 /// The result of a solve. A failure is a status, not an exception.

@@ -1,0 +1,72 @@
+#include "scene/explain/regime.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scene/simulation.hpp"
+#include "support/refusal.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+/// A flat surface of size 1 on a bulky body with E* = 1.
+SurfaceNumbers flat(double work, double strength) {
+  SurfaceNumbers surface;
+  surface.work = work;
+  surface.peak_traction = strength;
+  surface.cohesive_zone = cohesive_zone(1, work, strength, 1e6);
+  surface.extent = 1;
+  return surface;
+}
+
+TEST(RegimeTest, TheZoneAgainstTheSurfaceDecides) {
+  EXPECT_EQ(regime(flat(1e-3, 0.01)), Regime::FlawTolerant);  // E* W/s0^2 = 10
+  EXPECT_EQ(regime(flat(1e-3, 0.06)), Regime::Between);       // 0.28
+  EXPECT_EQ(regime(flat(1e-3, 0.2)), Regime::Brittle);        // 0.025
+}
+
+TEST(RegimeTest, TheLeastStrengthHasAZoneOfATenth) {
+  const double strength = least_strength(flat(1e-3, 0.2));
+  EXPECT_LT(strength, 0.2);
+  EXPECT_NEAR(flat(1e-3, strength).cohesive_zone, 0.1, 1e-12);
+}
+
+TEST(RegimeTest, RoundSurfacesGoByTheirTaborNumber) {
+  SurfaceNumbers ball = flat(1e-3, 0.2);
+  ball.radius = 5;
+  for (const auto& [tabor, words] :
+       {std::pair(0.05, "the limit of DMT"), {1.0, "both count"}, {7.0, "the limit of JKR"}}) {
+    ball.tabor = tabor;
+    test::expect_contains(regime_in_words(ball), words);
+  }
+  EXPECT_EQ(regime_in_words(SurfaceNumbers()), "");
+}
+
+TEST(RegimeTest, ExtentsAreThoseOfTheFace) {
+  const auto extent = [](const std::string& mesh, const std::string& set, const std::string& normal) {
+    const Simulation simulation(
+        test::scene(mesh + test::list("Materials", test::list("Body", test::number("Density", 1))) +
+                    test::list("Interactions", test::list("Wall", test::word("Side Set", set) + normal)) +
+                    test::time_integrator("Newmark", 0.1, 1)),
+        test::world());
+    return simulation.characteristic_numbers().surfaces.at(0).extent;
+  };
+  const auto box = [](const std::vector<double>& lengths, const std::vector<int>& divisions,
+                      const std::string& more = "") {
+    return test::list(
+        "Mesh", test::word("Type", "Box") + more +
+                    test::list("Box", test::count("Dimension", static_cast<int>(lengths.size())) +
+                                          test::numbers("Lengths", lengths) + test::counts("Divisions", divisions)));
+  };
+  const std::string below = test::numbers("Point", {0, -1});
+  EXPECT_NEAR(extent(box({4, 2}, {4, 2}), "bottom", below), 4, 1e-12);
+  EXPECT_NEAR(extent(box({4, 2}, {4, 2}), "left", test::numbers("Point", {-1, 0}) + test::numbers("Normal", {1, 0})), 2,
+              1e-12);
+  EXPECT_NEAR(extent(box({4, 3, 2}, {4, 3, 2}), "bottom",
+                     test::numbers("Point", {0, 0, -1}) + test::numbers("Normal", {0, 0, 1})),
+              3, 1e-12);
+  EXPECT_NEAR(extent(box({4, 2}, {4, 2}, test::word("Geometry", "Axisymmetric")), "bottom", below), 4, 1e-12);
+}
+
+}  // namespace
+}  // namespace ixos
