@@ -13,6 +13,7 @@
 #include "mesh/cell_sides.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/joined_parts.hpp"
+#include "mesh/merged_parts.hpp"
 #include "mesh/quality.hpp"
 #include "scene/read/scene_mesh.hpp"
 #include "scene/read/scene_units.hpp"
@@ -155,15 +156,17 @@ that do not fit each other and for inverted cells.)")
           "Reads an Exodus file.")
       .def_static(
           "joined",
-          [](const py::dict& parts) {
+          [](const py::dict& parts, double merge) {
             std::vector<MeshPart> all;
             for (const auto& [name, mesh] : parts) all.push_back({py::str(name), mesh.cast<const Mesh&>()});
-            return joined_parts(all);
+            Mesh joined = joined_parts(all);
+            if (merge > 0) merge_parts(all, merge, joined);
+            return joined;
           },
-          py::arg("parts"),
-          "Joins meshes, by name, into one without merging nodes. The names of blocks and sets begin with that of "
-          "their "
-          "part: \"left_surface\". Raises InputError if the meshes do not fit each other.")
+          py::arg("parts"), py::arg("merge") = 0.0,
+          "Joins meshes, by name, into one. The names of blocks and sets begin with that of their part: "
+          "\"left_surface\". merge: distance up to which nodes of different parts become one, as Mesh/Parts/Merge; 0 "
+          "leaves them apart. Raises InputError if the meshes do not fit each other.")
       .def_static("of",
                   [](const SceneList& scene) {
                     return at_scene(scene.file, {}, [&] {

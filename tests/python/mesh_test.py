@@ -128,6 +128,15 @@ class MeshTest(FolderTest):
         with self.assertRaisesRegex(ixos.InputError, "a part has an empty name"):
             ixos.Mesh.joined({"": one})
 
+    def test_meshes_that_share_a_face_are_merged(self):
+        one = block()
+        width = np.ptp(POINTS[:, 0])
+        apart = {"left": one, "right": ixos.Mesh(POINTS + [width, 0], {"body": CELLS})}
+        shared = int(np.sum(POINTS[:, 0] == POINTS[:, 0].max()))
+        self.assertEqual(len(ixos.Mesh.joined(apart, merge=1e-9).points), 2 * len(POINTS) - shared)
+        with self.assertRaisesRegex(ixos.InputError, "no node of a part is within 1e-09"):
+            ixos.Mesh.joined({"left": one, "right": ixos.Mesh(POINTS + [9, 0], {"body": CELLS})}, merge=1e-9)
+
     def test_the_command_has_no_given_mesh(self):
         scene = pulled_block()
         scene.mesh.type = "Given"

@@ -21,6 +21,7 @@ CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]
 
 # By header: the test, as a path below tests, and what that test shows of the header.
 elsewhere = {
+    "mesh/merged_parts.hpp": ("scene/read/mesh_parts_test.cpp", "parts that share faces, and those that do not fit"),
     "base/memory_record.hpp": ("base/snapshot_test.cpp", "values by path, saved and restored"),
     "run/handover.hpp": ("run/stages_test.cpp", "stages that go on from each other"),
     "run/history_row.hpp": ("run/run_test.cpp", "rows of history.csv"),

@@ -8,6 +8,7 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/joined_parts.hpp"
+#include "mesh/merged_parts.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/quality.hpp"
 #include "parameters/options.hpp"
@@ -77,10 +78,15 @@ Mesh part_mesh(const SceneNode& part, int order) {
   return mesh;
 }
 
+const char* const merge_name = "Merge";
+
 Mesh parts_of_order(const SceneNode& node, int order) {
   std::vector<MeshPart> parts;
   for (const SceneNode& part : node.sublists()) parts.push_back({part.name(), part_mesh(part, order)});
-  return joined_parts(parts);
+  Mesh mesh = joined_parts(parts);
+  const double tolerance = node.number(merge_name);
+  if (tolerance > 0) at(node.path_of(merge_name), [&] { merge_parts(parts, tolerance, mesh); });
+  return mesh;
 }
 
 }  // namespace
@@ -93,7 +99,12 @@ MeshEntry parts_mesh() {
   entry.sentence =
       "Several bodies in one mesh. Each list makes one part with its own mesh. The names of its "
       "blocks and sets begin with its name and \"_\": the part \"left\" has the block \"left_body\" and the side set "
-      "\"left_surface\". Parts that touch are not connected. A part's name has letters, digits, \"_\" and \"-\".";
+      "\"left_surface\". Parts that touch are not connected, unless Merge bonds them. A part's name has letters, "
+      "digits, \"_\" and \"-\".";
+  entry.parameters.set(merge_name, 0.0,
+                       "Distance up to which nodes of different parts become one [L0]: parts that share a face are "
+                       "bonded, and the faces must match. 0: parts that touch are not connected.",
+                       at_least(0));
   declare_part(entry.parameters.sublist(any_name, false, "A part: its mesh, and where it stands."));
   entry.make = [](const SceneNode& node) { return parts_of_order(node, 1); };
   entry.make_quadratic = [](const SceneNode& node) { return parts_of_order(node, 2); };

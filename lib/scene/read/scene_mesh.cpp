@@ -55,7 +55,8 @@ void find_file(Teuchos::ParameterList& body, const std::string& scene_folder) {
 void find_files(Teuchos::ParameterList& mesh, const std::string& scene_folder) {
   if (mesh.get<std::string>(meshes().choice()) != parts_mesh_name) return find_file(mesh, scene_folder);
   Teuchos::ParameterList& parts = mesh.sublist(parts_mesh_name);
-  for (const auto& [name, entry] : entries(parts)) find_file(parts.sublist(name), scene_folder);
+  for (const auto& [name, entry] : entries(parts))
+    if (entry.isList()) find_file(parts.sublist(name), scene_folder);
 }
 
 }  // namespace

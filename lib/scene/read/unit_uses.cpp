@@ -34,7 +34,8 @@ int chosen_dimension(const List& mesh, const List& known) {
     for (const List& list : {own, valid})
       if (list.isType<int>("Dimension")) return list.get<int>("Dimension");
     for (const auto& [name, part] : entries(own))
-      if (valid.isSublist(any_name)) return chosen_dimension(sublist(own, name), valid.sublist(any_name));
+      if (part.isList() && valid.isSublist(any_name))
+        return chosen_dimension(sublist(own, name), valid.sublist(any_name));
   }
   return 0;
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "mesh/cell_order.hpp"
+#include "mesh/cell_sides.hpp"
+#include "mesh/connected_parts.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/joined_parts.hpp"
 #include "mesh/quality.hpp"
@@ -121,6 +123,61 @@ TEST(MeshPartsTest, UnitsOfLoadsFollowTheDimensionOfTheFirstPart) {
   };
   EXPECT_EQ(load(solid, "nN"), "");
   EXPECT_NE(load(block, "nN"), "");
+}
+
+/// Two posts on a layer, of these numbers of cells across each post.
+std::string posts(double merge, int across = 2, const std::string& more = "") {
+  const auto post = [&](const std::string& name, double x) {
+    return list(name, block + more +
+                          list("Box", numbers("Lower", {x, 1}) + numbers("Lengths", {1, 2}) +
+                                          counts("Divisions", {across, 4})));
+  };
+  return number("Merge", merge) +
+         list("layer", block + more + list("Box", numbers("Lengths", {4, 1}) + counts("Divisions", {8, 2}))) +
+         post("a", 0.5) + post("b", 2.5);
+}
+
+TEST(MeshPartsTest, PartsThatShareAFaceAreMerged) {
+  const Mesh apart = made(posts(0)), one = made(posts(1e-6));
+  EXPECT_EQ(apart.nodes(), 9 * 3 + 2 * 3 * 5);
+  EXPECT_EQ(one.nodes(), apart.nodes() - 2 * 3);
+  EXPECT_EQ(block_names(one), block_names(apart));
+  EXPECT_EQ(connected_parts(apart), connected_parts(apart));
+  const std::vector<int> parts = connected_parts(one);
+  EXPECT_TRUE(std::all_of(parts.begin(), parts.end(), [](int part) { return part == 0; }));
+  // The shared faces are inside: 2 of the layer's top's 8, and all of a post's bottom.
+  EXPECT_EQ(side_set(apart, "layer_top").sides.size(), 8U);
+  EXPECT_EQ(side_set(one, "layer_top").sides.size(), 4U);
+  EXPECT_THROW(side_set(one, "a_bottom"), InputError);
+  EXPECT_EQ(side_set(one, "a_top").sides.size(), 2U);
+  double boundary = 0;
+  for (const std::string& set : {"layer_surface", "a_surface", "b_surface"})
+    boundary += static_cast<double>(side_set(one, set).sides.size());
+  EXPECT_EQ(boundary, static_cast<double>(boundary_sides(one).size()));
+  expect_contains(one.notes.back(), "6 nodes of parts were merged");
+}
+
+TEST(MeshPartsTest, PartsOfQuadraticCellsAndInSpaceAreMerged) {
+  const Mesh quadratic = made(posts(1e-6), count("Cell Order", 2)), apart = made(posts(0), count("Cell Order", 2));
+  EXPECT_EQ(quadratic.nodes(), apart.nodes() - 2 * 5);
+  EXPECT_EQ(quadratic.linear_nodes, apart.linear_nodes - 2 * 3);
+  const std::string cube =
+      list("Box", count("Dimension", 3) + numbers("Lengths", {1, 1, 1}) + counts("Divisions", {2, 2, 2}));
+  const Mesh cubes = made(number("Merge", 1e-6) + list("low", block + cube) +
+                          list("high", block + cube + numbers("Translation", {0, 0, 1})));
+  EXPECT_EQ(cubes.nodes(), 3 * 3 * 5);
+  EXPECT_EQ(boundary_sides(cubes).size(), 2U * 4 + 4 * 8);
+}
+
+TEST(MeshPartsTest, MergesThatDoNotFitAreRefused) {
+  EXPECT_EQ(
+      refusal(posts(0.6)),
+      "Mesh/Parts/Merge: 0.6 is too large: it makes one node of two nodes of the part \"a\" near (1, 1); it must be "
+      "smaller than the distance of its nodes");
+  expect_contains(refusal(posts(1e-6, 1)), "Mesh/Parts/Merge: the parts \"a\" and \"layer\" touch near (0.5, 1), but ");
+  expect_contains(refusal(posts(1e-6, 4)), "touch near ");
+  EXPECT_EQ(refusal(number("Merge", 0.1) + list("left", block) + list("right", block + numbers("Translation", {9, 0}))),
+            "Mesh/Parts/Merge: no node of a part is within 0.1 of a node of another part");
 }
 
 TEST(MeshPartsTest, WhatDoesNotFitIsRefusedWithItsPart) {
