@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests the numbers of docs/tutorials/mushroom-pillar: strength, flaws, energy and the singularity at the edge (8 s).
+"""Tests the numbers of docs/tutorials/mushroom-pillar: strength, flaws, energy and the singularity at the edge (7 s).
 
     IXOS_DRIVER=build/release/drivers/ixos tests/tutorials/mushroom_pillar_test.py"""
 import math
@@ -25,7 +25,7 @@ def pull(settings, cells="{14, 8}", step=0.05):
 
 
 def pull_off(history):
-    return np.nanmax(history["reaction_top_y"])
+    return np.nanmax(history["reaction_top_y"][1:])  # after a jump at the start the top alone has moved in row 0
 
 
 def foot(radius):
@@ -72,9 +72,9 @@ class PullOff(unittest.TestCase):
              LAW + "Strength": strength, LAW + "Work of Adhesion": "0.5 mJ/m^2",
              "Interactions/Adhesion/Friction/Stiffness": 1e4, "Interactions/Glass/Penalty/Stiffness": 1e4,
              "Interactions/Glass/Penalty/Gap": 2e-5, "Histories/Pull/Expression/Value": f"{start} + t",
-             tutorial.STEPS + "Time Step": 0.0025})) for strength, start in ((0.05, 0.3), (0.1, 0.345))]
+             tutorial.STEPS + "Time Step": 0.0005})) for strength, start in ((0.05, 0.325), (0.1, 0.37))]
         expected = 2**(2 * singularity(0.49) - 1)
-        self.assertLess(abs(forces[1] / forces[0] / expected - 1), 0.01)
+        self.assertLess(abs(forces[1] / forces[0] / expected - 1), 0.005)
 
 
 if __name__ == "__main__":

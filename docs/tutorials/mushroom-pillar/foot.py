@@ -39,8 +39,8 @@ def main():
         time = results.fields.times[frame]
         radius, traction, gap = foot(results, frame)
         reaction = np.interp(time, results["time"], results["reaction_top_y"])
-        print(f"{folder}: largest force {results['reaction_top_y'][row]:.2f} uN at {results['time'][row]:.2f} s; "
-              f"foot at {time:.1f} s: {force(radius, traction):.3f} of {reaction:.3f} uN, "
+        print(f"{folder}: largest force {results['reaction_top_y'][row]:.2f} uN at {results['time'][row]:.2f} s")
+        print(f"  foot at {time:.1f} s: {force(radius, traction):.3f} of {reaction:.3f} uN, "
               f"largest gap {gap.max():.0f} nm at r = {radius[gap.argmax()]:.1f} um")
         line, = above.plot(radius, traction, label=folder)
         below.plot(radius, gap, color=line.get_color())
