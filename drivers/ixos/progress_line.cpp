@@ -16,7 +16,7 @@ std::string duration(double seconds) {
 
 std::string in_words(const Progress& p) {
   std::string text = fmt::format("t = {:.4g} of {:.4g} T0, step {}", p.time, p.final_time, p.step);
-  if (p.newton.bound > 0)
+  if (p.within_step)
     text += fmt::format("; the next one, {:.3g} T0: Newton iteration {}, residual {:.1e} of {:.1e}", p.time_step,
                         p.newton.iteration, p.newton.residual, p.newton.bound);
   else if (p.step > 0)

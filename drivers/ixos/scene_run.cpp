@@ -69,18 +69,24 @@ RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tel
   std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files is an error of writing
   catch_signals();
   const bool heard = speaks(arguments, simulation.model().space().comm());
+  ProgressLine line(isatty(STDERR_FILENO) != 0);
   RunOptions options;
   options.folder = results_folder(arguments);
   options.scene_file = arguments.scene;
   options.restart = arguments.restart;
   options.overwrite = arguments.overwrite;
   if (heard && tells) {
-    options.log = [](const std::string& line) { console::say("{}\n", printable(line)); };
-    options.warn = [](const std::string& line) { console::complain("ixos: warning: {}\n", printable(line)); };
+    options.log = [&line](const std::string& text) {
+      line.clear();
+      console::say("{}\n", printable(text));
+    };
+    options.warn = [&line](const std::string& text) {
+      line.clear();
+      console::complain("ixos: warning: {}\n", printable(text));
+    };
   }
   options.interrupted = signalled;
   options.observe = observe;
-  ProgressLine line(isatty(STDERR_FILENO) != 0);
   if (heard || arguments.kill_after_step > 0)
     options.watch = [&](const Progress& p) {
       if (heard) line.show(p);

@@ -16,7 +16,7 @@ from style import plt
 EPILOG = """Examples:
   along.py strip.results bottom                        all surface fields at four times -> strip.results/along-bottom.png
   along.py strip.results bottom --times 40,60 --field contact_pressure,gap
-  along.py ball.results surface --field interaction_tractionY,displacementX --data
+  along.py strip.results bottom --field interaction_tractionY,displacementX --data
 
 The set is a node set or a side set of the scene; the curves begin at the lower end of its longer side, in the present
 places of its nodes. On a body of revolution that is the radius. The folder must contain fields.e with fields of nodes:
@@ -57,6 +57,16 @@ def curves(fields, nodes, name, frames):
         yield place[kept], values[kept]
 
 
+def refuse_folds(fields, nodes, set_name):
+    """Curves need a surface that goes one way: a closed one has two places at one coordinate."""
+    reference = fields.coordinates[nodes]
+    _, order, _ = places(fields, nodes, 0)
+    way = np.linalg.norm(np.diff(reference[order], axis=0), axis=1).sum()
+    if way > 2 * np.linalg.norm(np.ptp(reference, axis=0)):
+        raise ResultsError(f"{fields.path}: the set '{set_name}' goes back and forth; choose one side of it, by a set of "
+                           "the scene's Mesh/Sets")
+
+
 def draw(folder, set_name, names, frames, output, formats):
     """Draws and saves the figure. names: of fields, or None; frames: their numbers."""
     fields = Fields(folder)
@@ -64,6 +74,7 @@ def draw(folder, set_name, names, frames, output, formats):
         raise ResultsError(f"{fields.path}: curves are along the surfaces of plane bodies and bodies of revolution; "
                            "ParaView cuts a body in space")
     nodes = fields.nodes_of(set_name)
+    refuse_folds(fields, nodes, set_name)
     names = chosen_names(fields, nodes, frames, names)
     axis = places(fields, nodes, frames[0])[0]
     figure, grid = plt.subplots(len(names), 1, sharex=True, squeeze=False, layout="constrained",

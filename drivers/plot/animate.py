@@ -1,8 +1,10 @@
 #!/usr/bin/python3
-"""Animates the run of a plane body as a GIF: the body coloured by stress, and beside it the energies over time."""
+"""Animates the run of a plane body as a GIF or MP4: the body coloured by stress, and beside it the energies over time."""
+import pathlib
+
 import numpy as np
 from matplotlib import colormaps
-from matplotlib.animation import PillowWriter
+from matplotlib.animation import FFMpegWriter, PillowWriter
 from matplotlib.colors import to_rgb
 from PIL import Image
 
@@ -18,6 +20,7 @@ EPILOG = """Examples:
   animate.py ball.results                            at most 250 frames -> ball.results/animation.gif
   animate.py ball.results --every 4 --fps 20 --output ball.gif
   animate.py ball.results --time 0,1                 only these times
+  animate.py ball.results --output ball.mp4          a movie; needs ffmpeg
 
 The folder must contain fields.e (or its series of one file per rank) and, for the energies, history.csv. The GIF has
 640 x 400 pixels and stores only the changes from frame to frame. Stresses beyond the ends of the colour bar have the
@@ -61,6 +64,17 @@ class SmallGifWriter(PillowWriter):
                        transparency=int(clear), disposal=1, optimize=False)
 
 
+def writer_of(target, fps):
+    """The writer of a file by its ending."""
+    if target.endswith(".gif"):
+        return SmallGifWriter(fps=fps)
+    if not target.endswith(".mp4"):
+        raise ResultsError(f"{target}: a movie ends in .gif or .mp4")
+    if not FFMpegWriter.isAvailable():
+        raise ResultsError(f"{target}: the program ffmpeg writes mp4, and it is not installed; write a .gif")
+    return FFMpegWriter(fps=fps, extra_args=["-pix_fmt", "yuv420p"])  # which all players know
+
+
 def draw_energies(axes, run, times):
     """Axes and empty lines of the energies. Returns (line, point, values) of each."""
     curves = []
@@ -87,10 +101,12 @@ def main():
     parser.add_argument("--every", type=options.count, metavar="K",
                         help="take every K-th frame of the run (default: the smallest K that gives at most 250 frames)")
     parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to show (default: all)")
-    parser.add_argument("--output", metavar="NAME.gif", help="output file (default: FOLDER/animation.gif)")
+    parser.add_argument("--output", metavar="NAME", help="output file, .gif or .mp4 (default: FOLDER/animation.gif)")
     parser.add_si()
     arguments = parser.parse_args()
 
+    target = arguments.output or str(pathlib.Path(arguments.folder) / "animation.gif")
+    writer = writer_of(target, arguments.fps)  # refuses before anything is drawn
     fields = Fields(arguments.folder)
     if fields.dimension != 2:
         raise ResultsError(f"{fields.path}: the body is not plane; fields.py renders bodies in space")
@@ -122,8 +138,6 @@ def main():
     figure.canvas.draw()
     figure.set_layout_engine("none")  # settled: nothing may move from frame to frame
 
-    target = arguments.output or fields.path.parent / "animation.gif"
-    writer = SmallGifWriter(fps=arguments.fps)
     try:
         with writer.saving(figure, str(target), dpi=100):
             for frame, polygons, value in zip(frames, outlines, values):

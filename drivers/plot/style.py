@@ -146,7 +146,8 @@ def fit_width(figure, width):
             try:
                 figure.draw_without_rendering()  # lays it out
             except UserWarning:
-                raise ResultsError(f"a width of {width:.3g} in is too narrow for this figure") from None
+                raise ResultsError(f"a width of {25.4 * width:.0f} mm is too narrow for this figure: its text keeps its "
+                                   "size; choose a larger one") from None
         needed = figure.get_tightbbox(figure.canvas.get_renderer()).width + 2 * PAD
         own, height = figure.get_size_inches()
         figure.set_size_inches(max(own + width - needed, 0.3 * width), height)

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
@@ -43,22 +45,23 @@ std::vector<int> parts_of_blocks(const Mesh& mesh, const std::vector<MeshPart>& 
   return result;
 }
 
-/// The nodes on the boundary of a part, ascending.
-std::vector<int> boundary_nodes(const Mesh& mesh, const std::vector<Side>& sides, const std::vector<int>& part_of_block,
-                                int part) {
-  std::set<int> nodes;
+/// Returns the nodes on the boundary of each part, ascending.
+std::vector<std::set<int>> boundary_nodes(const Mesh& mesh, const std::vector<Side>& sides,
+                                          const std::vector<int>& part_of_block, std::size_t parts) {
+  std::vector<std::set<int>> nodes(parts);
   for (const Side& side : sides)
-    if (part_of_block[static_cast<std::size_t>(side.block)] == part)
-      for (const int node : nodes_of_side(mesh, side)) nodes.insert(node);
-  return {nodes.begin(), nodes.end()};
+    for (const int node : nodes_of_side(mesh, side))
+      nodes[static_cast<std::size_t>(part_of_block[static_cast<std::size_t>(side.block)])].insert(node);
+  return nodes;
 }
 
 /// Finds, part after part, the node of an earlier part that each node of the boundary is to be.
 class Merging {
  public:
+  /// Both must outlive it.
   Merging(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance), same_(all_nodes(mesh)) {}
 
-  void add(const std::string& part, const std::vector<int>& nodes) {
+  void add(const std::string& part, const std::set<int>& nodes) {
     std::vector<Entry> fresh;
     std::set<int> taken;
     for (const int node : nodes) {
@@ -70,6 +73,7 @@ class Merging {
         continue;
       }
       same_[static_cast<std::size_t>(node)] = nearest.front().second;
+      targets_.insert(nearest.front().second);
       ++merged_;
       if (!taken.insert(nearest.front().second).second)
         throw InputError(fmt::format(
@@ -81,6 +85,8 @@ class Merging {
   }
   int merged() const { return merged_; }
   int of(int node) const { return same_[static_cast<std::size_t>(node)]; }
+  /// Returns whether the node became another one, or another one became it.
+  bool is_shared(int node) const { return of(node) != node || targets_.count(node) > 0; }
   std::string in_words(int node) const {
     const Place place = place_of(mesh_, node);
     return mesh_.dimension == 2
@@ -98,6 +104,7 @@ class Merging {
   const Mesh& mesh_;
   double tolerance_;
   std::vector<int> same_;  ///< by node
+  std::set<int> targets_;
   Tree tree_;
   int merged_ = 0;
 };
@@ -112,36 +119,112 @@ void renumber(Mesh& mesh, const Merging& merging) {
   }
 }
 
-/// Returns the parts whose cells have each node.
-std::vector<std::set<int>> parts_of_nodes(const Mesh& mesh, const std::vector<int>& part_of_block) {
-  std::vector<std::set<int>> parts(static_cast<std::size_t>(mesh.nodes()));
-  for (std::size_t block = 0; block < mesh.blocks.size(); ++block)
-    for (const int node : mesh.blocks[block].nodes) parts[static_cast<std::size_t>(node)].insert(part_of_block[block]);
-  return parts;
+std::array<double, 3> minus(const Place& a, const Place& b) {
+  return {a.get<0>() - b.get<0>(), a.get<1>() - b.get<1>(), a.get<2>() - b.get<2>()};
 }
 
-/// Throws if a side that only one cell has has all its corners in common with another part.
+double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Returns whether a point lies on a side between its corners, away from its rim.
+bool lies_within(const Mesh& mesh, const std::vector<Place>& corners, const std::array<double, 3>& normal,
+                 const Place& point, double tolerance) {
+  const double size = std::sqrt(dot(normal, normal));
+  if (std::abs(dot(normal, minus(point, corners[0]))) > tolerance * size) return false;
+  if (mesh.dimension == 2) {
+    const std::array<double, 3> along = minus(corners[1], corners[0]);
+    const double length = std::sqrt(dot(along, along)), place = dot(along, minus(point, corners[0])) / length;
+    return place > tolerance && place < length - tolerance;
+  }
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::array<double, 3> edge = minus(corners[(k + 1) % corners.size()], corners[k]);
+    const double inside = dot(normal, cross(edge, minus(point, corners[k])));
+    if (!(inside > tolerance * size * std::sqrt(dot(edge, edge)))) return false;
+  }
+  return true;
+}
+
+/// A side that only one cell has, with its part.
+struct FreeSide {
+  Side side;
+  int part;
+  std::vector<int> nodes;
+  std::vector<Place> corners;
+  std::array<double, 3> normal;
+};
+
+FreeSide free_side(const Mesh& mesh, const Side& side, int part) {
+  FreeSide own{side, part, nodes_of_side(mesh, side), {}, outward_normal(mesh, side)};
+  for (std::size_t k = 0; k < (mesh.dimension == 2 ? 2U : 4U); ++k) own.corners.push_back(place_of(mesh, own.nodes[k]));
+  return own;
+}
+
+using Box = bg::model::box<Place>;
+
+Box box_around(const std::vector<Place>& points, double margin) {
+  std::array<double, 3> low{}, high{};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::array<double, 3> x{points[k].get<0>(), points[k].get<1>(), points[k].get<2>()};
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = k == 0 ? x[i] : std::min(low[i], x[i]);
+      high[i] = k == 0 ? x[i] : std::max(high[i], x[i]);
+    }
+  }
+  return {Place(low[0] - margin, low[1] - margin, low[2] - margin),
+          Place(high[0] + margin, high[1] + margin, high[2] + margin)};
+}
+
+Place middle(const std::vector<Place>& corners) {
+  std::array<double, 3> sum{};
+  for (const Place& corner : corners) {
+    sum[0] += corner.get<0>();
+    sum[1] += corner.get<1>();
+    sum[2] += corner.get<2>();
+  }
+  const auto n = static_cast<double>(corners.size());
+  return {sum[0] / n, sum[1] / n, sum[2] / n};
+}
+
+/// Throws if two sides of different parts that are not one lie on each other: the middle of one, or a node of it that
+/// is no node of another part, is within the other. `sides`: of the boundary before nodes were merged.
 void refuse_faces_that_do_not_match(const Mesh& mesh, const std::vector<Side>& sides,
                                     const std::vector<CellSide>& sorted, const std::vector<int>& part_of_block,
-                                    const std::vector<MeshPart>& all, const Merging& merging) {
-  const std::vector<std::set<int>> parts = parts_of_nodes(mesh, part_of_block);
+                                    const std::vector<MeshPart>& all, double tolerance, const Merging& merging) {
+  std::vector<FreeSide> free;
+  std::vector<std::pair<Box, std::size_t>> boxes;
   for (const Side& side : sides) {
     const auto [first, last] = sides_with(sorted, sorted_corners(mesh, side));
+    const int part = part_of_block[static_cast<std::size_t>(side.block)];
+    const bool overlaps = last - first > 2 || (last - first == 2 && dot(outward_normal(mesh, first->side),
+                                                                        outward_normal(mesh, (first + 1)->side)) > 0);
+    if (overlaps)
+      throw InputError(fmt::format("the part \"{}\" overlaps another one near {}",
+                                   all[static_cast<std::size_t>(part)].name,
+                                   merging.in_words(nodes_of_side(mesh, side).front())));
     if (last - first > 1) continue;
-    const int own = part_of_block[static_cast<std::size_t>(side.block)];
-    const std::vector<int> nodes = nodes_of_side(mesh, side);
-    const std::size_t corners = mesh.dimension == 2 ? 2 : 4;
-    for (int other = 0; other < static_cast<int>(all.size()); ++other) {
-      if (other == own) continue;
-      const auto shared = [&](int node) { return parts[static_cast<std::size_t>(node)].count(other) > 0; };
-      if (std::all_of(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(std::min(corners, nodes.size())),
-                      shared))
+    free.push_back(free_side(mesh, side, part));
+    boxes.emplace_back(box_around(free.back().corners, tolerance), free.size() - 1);
+  }
+  const index::rtree<std::pair<Box, std::size_t>, index::quadratic<16>> tree(boxes);
+  for (const FreeSide& own : free) {
+    std::vector<Place> points{middle(own.corners)};
+    for (const int node : own.nodes)
+      if (!merging.is_shared(node)) points.push_back(place_of(mesh, node));
+    for (const Place& point : points)
+      for (auto found = tree.qbegin(index::intersects(point)); found != tree.qend(); ++found) {
+        const FreeSide& other = free[found->second];
+        if (other.part == own.part || !lies_within(mesh, other.corners, other.normal, point, tolerance)) continue;
         throw InputError(
             fmt::format("the parts \"{}\" and \"{}\" touch near {}, but their faces do not match; give both the same "
                         "divisions there, or let them stick by an interaction with a Primary Side Set",
-                        all[static_cast<std::size_t>(own)].name, all[static_cast<std::size_t>(other)].name,
-                        merging.in_words(nodes.front())));
-    }
+                        all[static_cast<std::size_t>(own.part)].name, all[static_cast<std::size_t>(other.part)].name,
+                        merging.in_words(own.nodes.front())));
+      }
   }
 }
 
@@ -166,13 +249,13 @@ void merge_parts(const std::vector<MeshPart>& parts, double tolerance, Mesh& mes
   const std::vector<int> part_of_block = parts_of_blocks(mesh, parts);
   const std::vector<Side> sides = boundary_sides(mesh);
   Merging merging(mesh, tolerance);
-  for (std::size_t part = 0; part < parts.size(); ++part)
-    merging.add(parts[part].name, boundary_nodes(mesh, sides, part_of_block, static_cast<int>(part)));
+  const std::vector<std::set<int>> nodes = boundary_nodes(mesh, sides, part_of_block, parts.size());
+  for (std::size_t part = 0; part < parts.size(); ++part) merging.add(parts[part].name, nodes[part]);
   if (merging.merged() == 0)
     throw InputError(fmt::format("no node of a part is within {} of a node of another part", tolerance));
   renumber(mesh, merging);
   const std::vector<CellSide> sorted = sorted_sides(mesh);
-  refuse_faces_that_do_not_match(mesh, sides, sorted, part_of_block, parts, merging);
+  refuse_faces_that_do_not_match(mesh, sides, sorted, part_of_block, parts, tolerance, merging);
   drop_inner_sides(mesh, sorted);
   const std::vector<std::string> notes = mesh.notes;
   drop_unused_nodes(mesh);

@@ -155,7 +155,9 @@ void add_interaction(Model& model, const SurfaceInteraction& interaction) {
   const char* what = interaction.obstacle->half_space() != nullptr ? "wall" : "obstacle";
   // A law that is defined at every gap still needs an obstacle below it.
   const double limit = positive ? 0 : -std::numeric_limits<double>::infinity();
-  const std::string place = place_below(model, terms, rest, interaction.initial_time, limit, what);
+  const std::string place = std::isnan(interaction.initial_time)
+                                ? ""
+                                : place_below(model, terms, rest, interaction.initial_time, limit, what);
   if (!place.empty())
     throw InputError(fmt::format("the surface \"{}\" starts {}; {}: move the body or the {}, or change the mesh there",
                                  interaction.side_set, place,

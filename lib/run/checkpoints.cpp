@@ -115,6 +115,12 @@ long Checkpoints::begin(bool remove) {
   return newest;
 }
 
+void Checkpoints::go_on_from(const Checkpoints& before) {
+  last_step_ = before.last_step_;
+  last_time_ = before.last_time_;
+  steps_ = before.steps_;
+}
+
 void Checkpoints::resume(long step) {
   const Comm& comm = simulation_.model().space().comm();
   std::string earlier;  // one rank looks: others may see the folder differently

@@ -32,6 +32,8 @@ class Checkpoints {
   /// of earlier runs; throws FileError if it cannot. Otherwise they stay until write() deletes them. Returns the newest
   /// step of those that stay, or -1. Collective.
   long begin(bool remove);
+  /// Goes on with the checkpoints of another simulation of the same run, and with its clock.
+  void go_on_from(const Checkpoints& before);
   /// After a restart: the checkpoint of that step and those before it, in the same folder, count as this run's, and
   /// checkpoint.h5 links to it. Collective.
   void resume(long step);

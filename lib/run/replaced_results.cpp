@@ -10,6 +10,7 @@
 
 #include "base/agreement.hpp"
 #include "io/disk_file.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
 
@@ -46,8 +47,10 @@ std::vector<std::string> names_of_results(const std::string& folder) {
 
 /// Returns in what the scene of the results differs from the present one; empty if it does not.
 std::string difference(const Simulation& simulation, const std::string& folder) {
-  const std::vector<SceneChange> changes =
-      changes_of_problem(read_scene_file(folder + "/effective.xml"), simulation.parameters());
+  // effective.xml has the scene of the first stage.
+  const Teuchos::ParameterList first =
+      simulation.stage() == 0 ? simulation.parameters() : complete_scene(simulation.stages().scene({}));
+  const std::vector<SceneChange> changes = changes_of_problem(read_scene_file(folder + "/effective.xml"), first);
   if (changes.size() > 1) return fmt::format("{}; and {} more", changes.front().text(), changes.size() - 1);
   if (!changes.empty()) return changes.front().text();
   std::ifstream file = open_text(folder + "/summary.json");

@@ -23,6 +23,7 @@
 #include "scene/examine/steep_laws.hpp"
 #include "scene/examine/supports.hpp"
 #include "scene/examine/warnings.hpp"
+#include "scene/output/output_fields.hpp"
 #include "time/step_judge.hpp"
 
 namespace ixos {
@@ -45,7 +46,7 @@ class Run {
         measures_(simulation) {
     if (options_.iterate && comm_->getRank() == 0)
       integrator_.watch(
-          [this](const NewtonIterate& iterate) { options_.iterate(progress(clock_.seconds(), iterate)); });
+          [this](const NewtonIterate& iterate) { options_.iterate(progress(clock_.seconds(), true, iterate)); });
     if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
   }
 
@@ -87,7 +88,7 @@ class Run {
   bool interlude();
   void step();
   void end();
-  Progress progress(double wall_seconds, const NewtonIterate& iterate = {}) const;
+  Progress progress(double wall_seconds, bool within_step = false, const NewtonIterate& iterate = {}) const;
   void observe(double wall_seconds);
   void checkpoint();
   bool watch_energy();
@@ -180,6 +181,8 @@ std::shared_ptr<Simulation> Run::exchanged() const {
   if (comm_->getSize() > 1) Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 2, mine, any);
   if (any[0] == 0) return nullptr;
   if (any[1] != 0) throw std::logic_error("RunOptions::exchange returned a simulation on some ranks only");
+  if (simulation_.stages().any() || next->stages().any())
+    throw InputError("a scene with Stages cannot be exchanged during its run, nor for another one");
   const double now = integrator_.time(), then = next->integrator().time();
   if (then != now)
     throw InputError(
@@ -198,7 +201,7 @@ void Run::take_over(Run& before) {
     throw FileError(before.with_position(error.what()));
   }
   measures_.go_on_from(before.measures_);
-  checkpoints_.resume(result_.steps);
+  checkpoints_.go_on_from(before.checkpoints_);
   resumed_from_ = checkpoints_.newest();  // of another simulation: the watch does not go back there
   measures_.row(files_.history());
   stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
@@ -260,6 +263,8 @@ void Run::go_on() {
 /// A criterion that holds ends the stage.
 void Run::look_at_criteria() {
   const std::string met = stop_.reason(simulation_.model(), integrator_.state());
+  const bool begins = !result_.stages.empty() && result_.stages.back().steps == result_.steps;
+  if (begins) return;  // as in a run without a restart, which takes a step before it asks
   if (simulation_.has_next_stage())
     stage_ends_ = met;
   else
@@ -285,8 +290,8 @@ void Run::measure_row() {
   if (!(jump.released > 0) || measures_.jumps().count > told) return;
   log(fmt::format(
       "The body jumped to another equilibrium, one of perhaps several, between t = {:.6g} and {:.6g} T0, and "
-      "released {:.3g} E0 L0^D.",
-      jump.from, jump.to, jump.released));
+      "released {:.3g} {}.",
+      jump.from, jump.to, jump.released, unit_in(simulation_.model().mesh().body_dimension(), "E0 L0^D")));
 }
 
 /// Verifies the existing files, then continues them. Changes nothing if one does not match the checkpoint.
@@ -365,11 +370,11 @@ std::string Run::hints(const StepResult& step) const {
 }
 
 /// Returns where the run stands.
-Progress Run::progress(double wall_seconds, const NewtonIterate& iterate) const {
+Progress Run::progress(double wall_seconds, bool within_step, const NewtonIterate& iterate) const {
   const double now = integrator_.time(), end = simulation_.planned_end();
   const double went = now - first_time_;
   const double left = went > 0 ? (wall_seconds - first_seconds_) * (end - now) / went : 0;
-  return {now, end, result_.steps, result_.newton_iterations, wall_seconds, left, attempted_, iterate};
+  return {now, end, result_.steps, result_.newton_iterations, wall_seconds, left, attempted_, within_step, iterate};
 }
 
 /// Shows the accepted step to the caller.
@@ -420,6 +425,7 @@ void Run::go_back() {
   if (!problem.empty()) return fail(problem);
   ++result_.restarts;
   result_.status = RunStatus::Completed;  // a stop criterion may have held in the damaged state
+  stage_ends_.clear();
   result_.reason.clear();
   log(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", resumed_from_, integrator_.time(), result_.steps));
 }
@@ -475,6 +481,10 @@ void Run::transfer(Record& record) {
   record.number("restarts", result_.restarts);
   ixos::transfer(record, result_.warnings);
   ixos::transfer(record, result_.stages);
+  if (record.loading() ? record.has_section("findings") : !result_.stages.empty()) {  // of earlier stages
+    const Record::Section earlier(record, "findings");
+    ixos::transfer(record, result_.findings);
+  }
   const double seconds = clock_.transfer(record);
   files_.transfer(record, result_.steps, seconds);
   integrator_.transfer(record);
@@ -495,8 +505,8 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   };
   if (!options.restart.empty()) other = stage_of_checkpoint(simulation, options.restart);
   auto present = std::make_unique<Run>(other ? *other : simulation, options);
-  if (other) tell(other);
   present->start();
+  if (other) tell(other);
   while (std::shared_ptr<Simulation> next = present->advance()) {
     auto later = std::make_unique<Run>(*next, options);
     later->take_over(*present);

@@ -26,8 +26,8 @@ struct Progress {
   double wall_seconds = 0;
   double seconds_left = 0;  ///< if the rest goes as fast as this process went so far; 0: unknown
   double time_step = 0;     ///< of the step that was accepted, or is under way
-  /// Of the step under way; without a step under way all are 0.
-  NewtonIterate newton{};
+  bool within_step = false;
+  NewtonIterate newton{};  ///< of the step under way
 };
 
 struct RunOptions {

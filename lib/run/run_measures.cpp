@@ -76,6 +76,7 @@ void RunMeasures::row(const History& history) {
 RunFacts RunMeasures::finish(const History& history) {
   look_at_cells();
   RunFacts facts;
+  facts.body_dimension = simulation_.model().mesh().body_dimension();
   facts.has_inertia = !is_static(simulation_.integrator().table());
   facts.energy_error = history.max_energy_error();
   facts.largest_energy = history.largest_energy();
@@ -102,7 +103,8 @@ void RunMeasures::transfer(Record& record) {
   const Record::Section section(record, "run measures");
   strains_.transfer(record);
   contact_.transfer(record);
-  if (is_static(simulation_.integrator().table()) && record.has_section("jump watch")) jumps_.transfer(record);
+  const bool has_jumps = is_static(simulation_.integrator().table()) || jumps_.jumps().count > 0;
+  if (record.loading() ? record.has_section("jump watch") : has_jumps) jumps_.transfer(record);
   record.number("crossings", crossings_);
   record.number("deepest", deepest_);
   front_.transfer(record);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/output/output_fields.hpp"
+
 namespace ixos {
 namespace {
 
@@ -103,11 +105,11 @@ Message jump_to_another_equilibrium(const Facts& facts) {
                                                               facts.jumps.count, facts.jumps.released)
                                                 : "";
   return fmt::format(
-      "between t = {:.6g} and {:.6g} T0 the body jumped to another equilibrium and released {:.3g} E0 L0^D, {:.0f} % "
+      "between t = {:.6g} and {:.6g} T0 the body jumped to another equilibrium and released {:.3g} {}, {:.0f} % "
       "of the largest energy (limit {:.0f} %){}: the states on both sides are equilibria, the way between them is "
       "none, "
       "and there may be other equilibria than the one found; a dynamic scheme shows the way",
-      jump.from, jump.to, jump.released, 100 * share, 100 * limit, all);
+      jump.from, jump.to, jump.released, unit_in(facts.body_dimension, "E0 L0^D"), 100 * share, 100 * limit, all);
 }
 
 /// Returns how many times shorter steps have to be for an error of that order to be 1 %.

@@ -13,6 +13,7 @@ namespace ixos {
 /// Measures of a finished run.
 struct RunFacts {
   bool has_inertia = true;
+  int body_dimension = 3;
   double energy_error = 0;    ///< see History::max_energy_error [E0 L0^D]
   double largest_energy = 0;  ///< see History::largest_energy
   StrainExtremes strains{};

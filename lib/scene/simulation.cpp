@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -123,14 +124,19 @@ Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector
     set_initial_state();
   else
     integrator_->await_state(control.initial_time);
-  if (stages().any() && stage() == 0) look_ahead();
-  if (stages().any()) planned_end_ = stages().planned_ends(begins_).back();
+  if (stages().any() && stage() == 0) {
+    planned_end_ = stages().planned_ends().back();
+    look_ahead();
+  }
+  if (stages().any()) stop_criteria();  // refuses those that the stage cannot have
   setup_seconds_ = timer.stop();
 }
 
 /// Builds the later stages, as if each came to its end, for what their scenes say: messages, warnings and columns.
 void Simulation::look_ahead() {
   std::unique_ptr<Simulation> next;
+  std::set<std::string> known(notes_.begin(), notes_.end());
+  for (const Warning& warning : warnings_) known.insert(warning.message);
   for (const Simulation* stage = this; stage->has_next_stage(); stage = next.get()) {
     const std::size_t number = stage->stage() + 1;
     at(stages().path(number), [&] {
@@ -139,14 +145,11 @@ void Simulation::look_ahead() {
       next = std::move(built);
     });
     next->resumes();
-    for (const Warning& warning : next->warnings()) {
-      const auto is_known = [&](const Warning& other) { return other.message == warning.message; };
-      if (std::none_of(warnings_.begin(), warnings_.end(), is_known))
+    for (const Warning& warning : next->warnings())
+      if (known.insert(warning.message).second)
         warnings_.push_back({warning.name, placed(stages().path(number), warning.message)});
-    }
     for (const std::string& note : next->notes())
-      if (std::find(notes_.begin(), notes_.end(), note) == notes_.end())
-        notes_.push_back(placed(stages().path(number), note));
+      if (known.insert(note).second) notes_.push_back(placed(stages().path(number), note));
     std::vector<std::string>& all = plan_->columns;
     for (const std::string& column : history_columns(*next).names)
       if (std::find(all.begin(), all.end(), column) == all.end()) all.push_back(column);
@@ -156,13 +159,14 @@ void Simulation::look_ahead() {
 /// Throws InputError if a prescribed displacement of both stages would jump between them.
 void Simulation::refuse_jump_to(const Simulation& next) const {
   const Constraints &mine = model_->constraints(), &others = next.model().constraints();
-  const auto size = static_cast<std::size_t>(model_->space().local());
-  std::vector<double> before(size, 0.0), after(size, 0.0);
+  // Ghosts may be others: the ranks' own degrees of freedom are the same.
+  std::vector<double> before(static_cast<std::size_t>(model_->space().local()), 0.0),
+      after(static_cast<std::size_t>(next.model().space().local()), 0.0);
   const double time = next.step_control().initial_time;
   mine.set(time, before.data(), nullptr, nullptr);
   others.set(time, after.data(), nullptr, nullptr);
   double jump = 0, largest = 0;
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_->space().owned()); ++i) {
     const int dof = static_cast<int>(i);
     if (!mine.holds(dof) || !others.holds(dof)) continue;
     jump = std::max(jump, std::abs(after[i] - before[i]));
@@ -178,7 +182,10 @@ std::unique_ptr<Simulation> Simulation::next_stage(double begin) const {
   if (!has_next_stage()) throw std::logic_error("the scene has no further stage");
   std::vector<double> begins = begins_;
   begins.push_back(begin);
-  return std::unique_ptr<Simulation>(new Simulation(plan_, model_->space().comm(), std::move(begins)));
+  std::unique_ptr<Simulation> next(new Simulation(plan_, model_->space().comm(), std::move(begins)));
+  next->setup_seconds_ += setup_seconds_;                                 // of all so far
+  next->planned_end_ = planned_end_ + begin - step_control().final_time;  // a stage may end early
+  return next;
 }
 
 void Simulation::resumes() {
@@ -240,6 +247,11 @@ void Simulation::build_model(const Comm& comm, Inertia inertia) {
   const std::vector<double> sums = obstacle_file_checksums(parameters_);
   files.insert(files.end(), sums.begin(), sums.end());
   mesh_fingerprint_ = fingerprint(mesh, files);
+  if (plan_->mesh.empty()) plan_->mesh = mesh_fingerprint_;
+  if (plan_->mesh != mesh_fingerprint_)
+    throw InputError(
+        "the mesh is another one than that of the first stage: all stages need the same contact elements on the same "
+        "surfaces, the same mesh and the same Factor Fields");
   mesh_quality_ = ixos::mesh_quality(mesh);
   const std::vector<int> parts = connected_parts(mesh);
   numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh, parts);
@@ -256,7 +268,10 @@ void Simulation::build_model(const Comm& comm, Inertia inertia) {
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time, plan_->given,
                             inertia == Inertia::None);
-  add_interactions(interactions_, histories, control.initial_time, *model_);
+  // A body at rest may be in the way of an obstacle that has moved by now: the state that a later stage is given
+  // counts.
+  const double start = stage() == 0 ? control.initial_time : std::numeric_limits<double>::quiet_NaN();
+  add_interactions(interactions_, histories, start, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   add_grips(scene.sublist("Grips"), histories, *model_);
   refuse_unused_histories(scene, interactions_, histories);

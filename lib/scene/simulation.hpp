@@ -102,6 +102,7 @@ class Simulation {
     GivenHistories given;
     std::vector<std::string> columns{};
     std::vector<int> owner{};  ///< the ranks of the nodes, if there are several stages
+    std::string mesh{};        ///< the fingerprint of the first stage's mesh
   };
   static Plan given_mesh_plan(const Teuchos::ParameterList& scene, const Mesh& mesh, const GivenHistories& given);
   Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins);

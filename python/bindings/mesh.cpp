@@ -160,6 +160,7 @@ that do not fit each other and for inverted cells.)")
             std::vector<MeshPart> all;
             for (const auto& [name, mesh] : parts) all.push_back({py::str(name), mesh.cast<const Mesh&>()});
             Mesh joined = joined_parts(all);
+            if (!(merge >= 0)) throw InputError(fmt::format("merge: {} is no distance", merge));
             if (merge > 0) merge_parts(all, merge, joined);
             return joined;
           },

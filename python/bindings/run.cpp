@@ -72,11 +72,12 @@ void bind_run(py::module_& module, SimulationClass& simulation) {
       .def_readonly("wall_seconds", &Progress::wall_seconds)
       .def_readonly("seconds_left", &Progress::seconds_left, "If the rest goes as fast; 0: unknown.")
       .def_readonly("time_step", &Progress::time_step, "Of the accepted step, or of that under way [T0].")
+      .def_readonly("within_step", &Progress::within_step, "Whether a step is under way, of which the next three tell.")
       .def_property_readonly(
           "iteration", [](const Progress& p) { return p.newton.iteration; }, "Of the step under way.")
       .def_property_readonly(
           "residual", [](const Progress& p) { return p.newton.residual; },
-          "Norm of the residual of the step under way; 0 after a step.")
+          "Norm of the residual of the step under way.")
       .def_property_readonly(
           "bound", [](const Progress& p) { return p.newton.bound; }, "The residual at which the step has converged.")
       .def("__repr__", [](const Progress& p) {

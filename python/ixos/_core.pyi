@@ -83,6 +83,7 @@ class Progress:
     wall_seconds: float
     seconds_left: float
     time_step: float
+    within_step: bool
     iteration: int
     residual: float
     bound: float

@@ -168,6 +168,7 @@ class PlotTest(ScriptTest):
         self.assertIn("xvfb", done.stderr)
 
     def test_animation(self):
+        self.assert_refused("ends in .gif or .mp4", "animate.py", self.ball, "--output", "ball.avi")
         gif, = self.draw("animate.py", self.ball, "--every", 2, "--fps", 10)
         with Image.open(gif) as image:
             self.assertEqual((image.format, image.size, image.n_frames), ("GIF", (640, 400), 3))

@@ -69,11 +69,11 @@ class RunTest(FolderTest):
 
     def test_progress_is_told_within_steps_too(self):
         seen = []
-        done = short_ball().run(self.folder / "run", progress=lambda p: seen.append((p.step, p.iteration, p.residual, p.bound)))
-        self.assertEqual(sum(1 for _, _, _, bound in seen if bound == 0), done.steps)
-        self.assertEqual(sum(1 for _, iteration, _, _ in seen if iteration > 0), done.newton_iterations)
+        done = short_ball().run(self.folder / "run", progress=lambda p: seen.append((p.within_step, p.iteration, p.residual, p.bound)))
+        self.assertEqual(sum(1 for within, *_ in seen if not within), done.steps)
+        self.assertEqual(sum(1 for _, iteration, *_ in seen if iteration > 0), done.newton_iterations)
         for before, after in zip(seen, seen[1:]):
-            if after[3] == 0:  # the step ended
+            if not after[0]:  # the step ended
                 self.assertLessEqual(before[2], before[3])
 
     def test_an_observer_sees_each_stage(self):

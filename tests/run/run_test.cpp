@@ -104,7 +104,7 @@ TEST_F(RunTest, IteratesOfEachStepAreTold) {
   Progress last;
   options.iterate = [&](const Progress& progress) {
     EXPECT_EQ(progress.step, steps);
-    EXPECT_GT(progress.newton.bound, 0);
+    EXPECT_TRUE(progress.within_step);
     EXPECT_NEAR(progress.time_step, 0.1, 1e-9);
     if (progress.newton.iteration > 0) {
       EXPECT_EQ(progress.newton.iteration, last.newton.iteration + 1);
@@ -114,7 +114,7 @@ TEST_F(RunTest, IteratesOfEachStepAreTold) {
   };
   options.watch = [&](const Progress& progress) {
     EXPECT_LE(last.newton.residual, last.newton.bound);  // the step has converged
-    EXPECT_EQ(progress.newton.iteration, 0);
+    EXPECT_FALSE(progress.within_step);
     EXPECT_EQ(progress.newton_iterations, iterations);
     if (progress.step < 30) {
       EXPECT_GT(progress.seconds_left, 0);
@@ -130,9 +130,6 @@ TEST_F(RunTest, IteratesOfEachStepAreTold) {
   } else {
     EXPECT_EQ(steps, 0);
   }
-  // After the run nobody listens.
-  ASSERT_TRUE(simulation.integrator().step(0.1).converged);
-  EXPECT_LE(steps, 30);
 }
 
 TEST_F(RunTest, ObserversAreCalledOnEveryRankAfterEachAcceptedStep) {

@@ -216,7 +216,7 @@ TEST_F(RunMeasuresTest, ASnapReleasesTheDifferenceOfTheEnergies) {
   EXPECT_EQ(result.jumps.count, 1);
   EXPECT_NEAR(result.jumps.released, released, 1e-6 * released);
   EXPECT_NEAR(result.jumps.largest.to, up / 2, 1e-12);
-  if (world()->getRank() == 0) expect_contains(told_, fmt::format("T0, and released {:.3g} E0 L0^D.", released));
+  if (world()->getRank() == 0) expect_contains(told_, fmt::format("T0, and released {:.3g} E0 L0^2.", released));
   on_first([&] {
     std::ifstream file(folder("lifted") + "/summary.json");
     EXPECT_EQ(nlohmann::json::parse(file).at("jumps").at("count"), 1);

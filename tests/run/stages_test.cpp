@@ -12,6 +12,7 @@
 #include "study/common/history_table.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
+#include "test_folders.hpp"
 
 namespace ixos::test {
 namespace {
@@ -111,8 +112,8 @@ TEST_F(StagesTest, EverySchemeGoesOnToTheLastBit) {
   for (const std::string& scheme : moving_schemes()) {
     SCOPED_TRACE(scheme);
     expect_goes_on(block(press_wait_pull(scheme),
-                         count("History Interval", 3) + count("Fields Interval", 4) + checkpoints(6, 100)),
-                   {6, 12, 30});
+                         count("History Interval", 3) + count("Fields Interval", 4) + checkpoints(5, 100)),
+                   {5, 10, 20, 30});
   }
 }
 
@@ -178,6 +179,29 @@ TEST_F(StagesTest, ACriterionEndsAStageAndTheNextBeginsThere) {
   for (std::size_t k = 0; k < last; ++k) EXPECT_LT(reaction[k], 0.05);
 }
 
+TEST_F(StagesTest, TheGuidesScenePressesWaitsAndPulls) {
+  Simulation simulation(read_scene_file(std::string(IXOS_TEST_DIRECTORY) + "/guide/press-wait-pull.xml"), world());
+  std::shared_ptr<Simulation> last;
+  RunOptions options;
+  options.folder = folder("guide");
+  options.stage = [&](const std::shared_ptr<Simulation>& stage) { last = stage; };
+  const RunResult result = run(simulation, options);
+  EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+  ASSERT_EQ(result.stages.size(), 2U);
+  const double pressed = result.stages[0].time;
+  EXPECT_NEAR(result.stages[1].time, pressed + 2, 1e-9);
+  EXPECT_NEAR(result.end_time, pressed + 22, 1e-9);
+  // The head went down by 3 L0 in 10 T0, stayed, and went up by 6 L0.
+  const Model& model = last->model();
+  std::vector<double> head(static_cast<std::size_t>(model.space().local()), -1e9);
+  model.constraints().set(result.end_time, head.data(), nullptr, nullptr);
+  EXPECT_NEAR(model.space().maximum(*std::max_element(head.begin(), head.end())), 6 - 0.3 * pressed, 1e-9);
+  world()->barrier();
+  const std::vector<double>& force = table("guide").column("reaction_top_y");
+  EXPECT_LT(force[static_cast<std::size_t>(result.stages[0].steps)], -0.5);
+  EXPECT_GT(*std::max_element(force.begin(), force.end()), 0.5);
+}
+
 TEST_F(StagesTest, VelocitiesAreAddedAndTheirEnergyIsWork) {
   const std::string free = texts("Without", "{Boundary Conditions/Head, Boundary Conditions/Guide}");
   const std::string stages =
@@ -228,6 +252,47 @@ TEST_F(StagesTest, LaterStagesAreRefusedBeforeTheFirst) {
                   "Stages/Pull: Boundary Conditions: a prescribed displacement would jump by 1.15 L0 at t = 1 T0");
   expect_contains(refused(list("Press", "") + list("Pull", word("Clock", "Run") + integrator("Newmark", 0.1, 0.5))),
                   "Stages/Pull: Time Integrator/Time Step Control/Final Time: 0.5 must be later than Initial Time, 1");
+}
+
+TEST_F(StagesTest, EnrichedSurfacesAreThoseOfAllStages) {
+  const std::string other = list("Interactions", list("Wall", word("Contact Element", "Q1C2")));
+  expect_contains(test::refusal([&] {
+                    Simulation(scene(block(list("Press", "") + list("Pull", other + integrator("Static", 0.1, 1)))),
+                               world());
+                  }),
+                  "Stages/Pull: the mesh is another one than that of the first stage");
+  // Criteria, too, are looked at before the first stage.
+  const std::string stop =
+      list("Stop", list("Out", word("Type", "Probe") + list("Probe", word("Name", "none") + number("Limit", 1))));
+  expect_contains(test::refusal([&] {
+                    Simulation(scene(block(list("Press", "") + list("Pull", integrator("Static", 0.1, 1, stop)))),
+                               world());
+                  }),
+                  "Stages/Pull: Time Integrator/Stop/Out");
+}
+
+TEST_F(StagesTest, AWallThatHasPassedTheBodyAtRestGoesOn) {
+  const std::string wall = list("Wall", list("Motion", texts("Translation", "{-, Rise}")));
+  const std::string rise = list("Histories", ramp("Rise", 0.5, 1)),
+                    still = list("Rise", word("Type", "Constant") + list("Constant", number("Value", 0)));
+  std::string whole = block(list("Press", list("Interactions", wall) + rise) +
+                            list("Wait", list("Histories", still) + integrator("Static", 0.1, 1)));
+  // The head goes up with the wall.
+  whole.replace(whole.find(ramp("Lift", -0.15, 1)), ramp("Lift", -0.15, 1).size(), ramp("Lift", 0.3, 1));
+  const RunResult result = run_scene(whole, "all");
+  EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+  EXPECT_EQ(result.steps, 20);
+}
+
+TEST_F(StagesTest, AnotherRunInTheFolderLeavesNoCheckpointOfTheOneBefore) {
+  const std::string first = block(press_wait_pull("Newmark"), checkpoints(10, 100));
+  run_scene(first, "all");
+  const std::string before = contents(checkpoint("all", 10));
+  run_scene(first, "all", "", [asked = 0]() mutable { return ++asked == 14; });
+  world()->barrier();
+  EXPECT_NE(contents(checkpoint("all", 10)), before);  // it has its own clock
+  const RunResult rest = run_scene(first, "all", folder("all"));
+  EXPECT_EQ(rest.status, RunStatus::Completed) << rest.reason;
 }
 
 TEST_F(StagesTest, ACheckpointOfAStageThatIsGoneIsRefused) {

@@ -11,7 +11,8 @@ TEST(MeshCatalogueTest, EveryEntryIsWhole) {
   const std::string folder = std::string(IXOS_TEST_DIRECTORY) + "/../meshes/";
   Teuchos::ParameterList texts;
   texts.set("File", "the mesh");
-  test::walk(meshes(), texts, {"Exodus/File", "Exodus/Dimension", "Gmsh/File", "Gmsh/Dimension", "Given/Dimension"},
+  test::walk(meshes(), texts,
+             {"Exodus/File", "Exodus/Dimension", "Gmsh/File", "Gmsh/Dimension", "Given/Dimension", "Parts/Merge"},
              [&](Teuchos::ParameterList list, const MeshEntry& entry) -> std::vector<double> {
                if (entry.parameters.isParameter("File"))
                  list.sublist(entry.name).set("File", folder + (entry.name == "Gmsh" ? "pillar.msh" : "ball.e"));

@@ -45,6 +45,8 @@ void change(List& list, const List& by, const List* valid) {
 
 /// Removes the list or parameter at "Boundary Conditions/Foot". Throws InputError if there is none.
 void remove(List& scene, const std::string& path) {
+  if (const std::string first = path.substr(0, path.find('/')); is_common(first))
+    throw InputError(fmt::format("{}: {} is the same in all stages", without_name, first));
   List* list = &scene;
   std::size_t start = 0;
   for (auto slash = path.find('/'); slash != std::string::npos && list != nullptr; slash = path.find('/', start)) {
@@ -65,8 +67,19 @@ void remove(List& scene, const std::string& path) {
 /// Returns a list of the complete scene.
 List& control(List& scene) { return scene.sublist("Time Integrator").sublist("Time Step Control"); }
 
-double number(const List& list, const std::string& name) {
-  return list.isType<int>(name) ? list.get<int>(name) : list.get<double>(name);
+/// Returns a number of a list in the units of the scene, which the validation has not seen.
+double number(const List& list, const std::string& name, double otherwise) {
+  if (list.isType<int>(name)) return list.get<int>(name);
+  return list.isType<double>(name) ? list.get<double>(name) : otherwise;
+}
+
+/// Returns the validated list "Histories" of a scene in its units.
+List complete_histories(const List& scene) {
+  const List given = scene.isSublist("Histories") ? scene.sublist("Histories") : List();
+  List outer, valid;
+  outer.sublist("Histories") = given;
+  valid.sublist("Histories") = scene_parameters().sublist("Histories");
+  return validated(outer, valid).sublist("Histories");
 }
 
 /// A stage's own parameters, beside the lists that change the scene.
@@ -142,17 +155,19 @@ std::string Stages::path(std::size_t stage) const {
 bool Stages::gives_velocities(std::size_t stage) const { return own(stage).isSublist("Initial Conditions"); }
 
 List Stages::scene(const std::vector<double>& begins) const {
-  List scene(scene_);
-  if (names_.empty()) return scene;
+  if (names_.empty()) return scene_;
+  List scene = in_scene_units(scene_, scene_parameters());
   for (std::size_t stage = 0; stage <= begins.size(); ++stage)
     at(path(stage), [&] {
       const OwnParameters parameters = own_parameters(own(stage));
       const bool is_first = stage == 0;
-      List before;  // complete, for the values of its histories
+      List histories;  // of the stage before, complete
+      double length = 0;
       if (is_first) {
         if (!parameters.without.empty()) throw InputError("Without: the first stage has none before it");
       } else {
-        before = complete_scene(scene);
+        histories = complete_histories(scene);
+        length = number(control(scene), "Final Time", 0) - number(control(scene), "Initial Time", 0);
         scene.remove("Initial Conditions", false);
         scene.sublist("Time Integrator").remove("Stop", false);
         for (const std::string& left_out : parameters.without) remove(scene, left_out);
@@ -175,13 +190,10 @@ List Stages::scene(const std::vector<double>& begins) const {
       times.set("Initial Time", begin);
       if (!parameters.counts_from_begin) return;
       const bool gives_end = changes.isSublist("Time Integrator") && control(changes).isParameter("Final Time");
-      const List& earlier_times = control(before);
-      const double length = gives_end
-                                ? number(times, "Final Time")
-                                : earlier_times.get<double>("Final Time") - earlier_times.get<double>("Initial Time");
+      if (gives_end) length = number(times, "Final Time", 0);
       times.set("Final Time", begin + length);
       if (!changes.isSublist("Histories")) return;
-      const SceneNode earlier(before.sublist("Histories"), "Histories");
+      const SceneNode earlier(histories, "Histories");
       for (const auto& [name, entry] : entries(changes.sublist("Histories"))) {
         if (!entry.isList()) continue;
         shift_history(scene.sublist("Histories").sublist(name), begin, history_at(earlier, given_, name, begin));
@@ -192,8 +204,12 @@ List Stages::scene(const std::vector<double>& begins) const {
 
 std::vector<double> Stages::planned_ends(std::vector<double> begins) const {
   while (begins.size() < count()) {
-    List complete = complete_scene(scene(begins));
-    begins.push_back(control(complete).get<double>("Final Time"));
+    List own = in_scene_units(scene(begins), scene_parameters());
+    // Without one, the validation has a message.
+    at(path(begins.size()), [&] {
+      if (!control(own).isParameter("Final Time")) complete_scene(own);
+    });
+    begins.push_back(number(control(own), "Final Time", 0));
   }
   return begins;
 }

@@ -30,6 +30,10 @@ bool has_gap_ratio(const Simulation& simulation) {
 AccuracySettings first_settings(const Simulation& simulation, double accuracy) {
   const std::string& scheme = simulation.time_integrator().scheme;
   const Table& table = simulation.integrator().table();
+  if (simulation.stages().any())
+    throw InputError(
+        "--accuracy: the scene has Stages, and each may set steps of its own; choose their steps in the scene, or vary "
+        "them by ixos-study --scan");
   if (table.mass == Inertia::None)
     throw InputError(
         "--accuracy: the Time Integrator/Type \"" + scheme +

@@ -186,7 +186,11 @@ Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
     throw InputError(
         "an advice needs a quantity: --quantity \"FORM\", or Output/Quantities of the scene. Forms are:\n" +
         quantity_forms());
-  changed_scene(question.scene, question.common);  // before anything is written
+  const Teuchos::ParameterList scene = changed_scene(question.scene, question.common);  // before anything is written
+  if (scene.sublist("Stages").numParams() > 0)
+    throw InputError(question.scene +
+                     ": the scene has Stages, and each may set steps of its own, which an advice does not vary; use "
+                     "--scan, or a scene of one stage");
   std::error_code code;
   std::filesystem::create_directories(options.folder, code);
   if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());

@@ -30,7 +30,6 @@ std::string add_counts(const List& mesh, const std::string& path, std::vector<Ce
   if (type == "Parts") {
     for (const auto& [name, entry] : entries(mesh.sublist("Parts"))) {
       if (!entry.isList()) continue;
-      if (!entry.isList()) continue;
       std::string part = path;
       part.append("/Parts/").append(name);
       std::string why = add_counts(mesh.sublist("Parts").sublist(name), part, counts, dimension);

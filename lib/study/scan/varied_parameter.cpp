@@ -33,7 +33,9 @@ std::optional<double> number_of(const std::string& word) {
 /// Returns numbers of twelve digits, so that 0.1 + 2 0.1 is 0.3, or of six where ratios are equal.
 std::vector<std::string> spread(const std::string& text, const std::vector<std::string>& words, bool logarithmic) {
   const auto from = number_of(words[0]), to = number_of(words[1]), count = number_of(words[2]);
-  if (!from || !to) refuse(text, fmt::format("\"{}\" is not a number", from ? words[1] : words[0]));
+  if (!from || !to)
+    refuse(text, fmt::format("\"{}\" is not a number; a range takes plain ones, in the units of the scene",
+                             from ? words[1] : words[0]));
   if (!count || *count != std::floor(*count) || *count < 2 || *count > most_values)
     refuse(text,
            fmt::format("the number of values is \"{}\", which must be an integer from 2 to {}", words[2], most_values));
@@ -51,6 +53,30 @@ std::vector<std::string> spread(const std::string& text, const std::vector<std::
   return values;
 }
 
+/// Returns the pieces between commas; an array in braces is one piece.
+std::vector<std::string> pieces(const std::string& text) {
+  std::vector<std::string> result{""};
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+    if (c == ',' && depth == 0)
+      result.emplace_back();
+    else
+      result.back() += c;
+  }
+  for (std::string& piece : result) piece = trimmed(piece);
+  return result;
+}
+
+/// Returns a value as tables and folders show it: {40, 2} as 40x2.
+std::string label_of(const std::string& value) {
+  if (value.size() < 2 || value.front() != '{' || value.back() != '}') return value;
+  std::string label;
+  for (const std::string& part : split(value.substr(1, value.size() - 2), ','))
+    label += (label.empty() ? "" : "x") + part;
+  return label;
+}
+
 }  // namespace
 
 VariedParameter read_varied(const std::string& text) {
@@ -62,7 +88,7 @@ VariedParameter read_varied(const std::string& text) {
   const std::string values = trimmed(text.substr(equal + 1));
   std::vector<std::string> words;
   if (values.size() > 1 && values.front() == '{' && values.back() == '}') {
-    words = split(values.substr(1, values.size() - 2), ',');
+    words = pieces(values.substr(1, values.size() - 2));
   } else {
     std::vector<std::string> parts = split(values, ':');
     varied.logarithmic = parts.size() == 4 && parts[3] == "log";
@@ -71,9 +97,10 @@ VariedParameter read_varied(const std::string& text) {
   }
   for (const std::string& word : words) {
     if (word.empty()) refuse(text, "a value is empty");
+    const std::string label = label_of(word);
     for (const AxisValue& before : varied.values)
-      if (before.label == word) refuse(text, fmt::format("\"{}\" is given twice", word));
-    varied.values.push_back({word, {varied.path + "=" + word}});
+      if (before.label == label) refuse(text, fmt::format("\"{}\" is given twice", word));
+    varied.values.push_back({label, {varied.path + "=" + word}});
   }
   return varied;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "mesh/cell_order.hpp"
 #include "mesh/cell_sides.hpp"
@@ -142,7 +143,8 @@ TEST(MeshPartsTest, PartsThatShareAFaceAreMerged) {
   EXPECT_EQ(apart.nodes(), 9 * 3 + 2 * 3 * 5);
   EXPECT_EQ(one.nodes(), apart.nodes() - 2 * 3);
   EXPECT_EQ(block_names(one), block_names(apart));
-  EXPECT_EQ(connected_parts(apart), connected_parts(apart));
+  const std::vector<int> bodies = connected_parts(apart);
+  EXPECT_EQ(std::set<int>(bodies.begin(), bodies.end()).size(), 3U);
   const std::vector<int> parts = connected_parts(one);
   EXPECT_TRUE(std::all_of(parts.begin(), parts.end(), [](int part) { return part == 0; }));
   // The shared faces are inside: 2 of the layer's top's 8, and all of a post's bottom.
@@ -151,7 +153,7 @@ TEST(MeshPartsTest, PartsThatShareAFaceAreMerged) {
   EXPECT_THROW(side_set(one, "a_bottom"), InputError);
   EXPECT_EQ(side_set(one, "a_top").sides.size(), 2U);
   double boundary = 0;
-  for (const std::string& set : {"layer_surface", "a_surface", "b_surface"})
+  for (const char* set : {"layer_surface", "a_surface", "b_surface"})
     boundary += static_cast<double>(side_set(one, set).sides.size());
   EXPECT_EQ(boundary, static_cast<double>(boundary_sides(one).size()));
   expect_contains(one.notes.back(), "6 nodes of parts were merged");
@@ -170,12 +172,19 @@ TEST(MeshPartsTest, PartsOfQuadraticCellsAndInSpaceAreMerged) {
 }
 
 TEST(MeshPartsTest, MergesThatDoNotFitAreRefused) {
-  EXPECT_EQ(
-      refusal(posts(0.6)),
-      "Mesh/Parts/Merge: 0.6 is too large: it makes one node of two nodes of the part \"a\" near (1, 1); it must be "
-      "smaller than the distance of its nodes");
-  expect_contains(refusal(posts(1e-6, 1)), "Mesh/Parts/Merge: the parts \"a\" and \"layer\" touch near (0.5, 1), but ");
-  expect_contains(refusal(posts(1e-6, 4)), "touch near ");
+  EXPECT_EQ(refusal(posts(0.6)),
+            "Mesh/Parts/Merge: 0.6 is too large: it makes one node of two nodes of the part \"a\" near (0.5, 1.5); it "
+            "must be "
+            "smaller than the distance of its nodes");
+  expect_contains(refusal(posts(1e-6, 1)), "Mesh/Parts/Merge: the parts \"");
+  for (const int across : {3, 4, 5}) expect_contains(refusal(posts(1e-6, across)), "touch near ");
+  const std::string size = list("Box", numbers("Lengths", {1, 1}) + counts("Divisions", {2, 2}));
+  const auto low = [&](const std::string& place) {
+    return number("Merge", 1e-6) + list("low", block + size) + list("high", block + size + place);
+  };
+  expect_contains(refusal(low(numbers("Translation", {0, 0}))), "overlaps another one near ");
+  expect_contains(refusal(low(numbers("Translation", {0.3, 1}) + "")), "no node of a part is within");
+  EXPECT_EQ(refusal(low(numbers("Translation", {0.5, 1}))), "");  // half of the face is shared
   EXPECT_EQ(refusal(number("Merge", 0.1) + list("left", block) + list("right", block + numbers("Translation", {9, 0}))),
             "Mesh/Parts/Merge: no node of a part is within 0.1 of a node of another part");
 }

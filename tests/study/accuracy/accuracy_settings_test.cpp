@@ -36,6 +36,14 @@ TEST(AccuracySettingsTest, AHundredthOfTheAccuracyNeedsATenthOfTheSteps) {
   EXPECT_NEAR(settings.newton_tolerance, 1e-9, 1e-18);
 }
 
+TEST(AccuracySettingsTest, ASceneWithStagesIsRefused) {
+  const std::string end = "/Time Integrator/Time Step Control/Final Time=1";
+  test::expect_contains(test::refusal([&] {
+                          first(0.01, {"Stages/Fall" + end, "Stages/Rise" + end});
+                        }),
+                        "--accuracy: the scene has Stages");
+}
+
 TEST(AccuracySettingsTest, LimitsOfTheSceneComeFirst) {
   const std::vector<std::string> own{control + "Type=Adaptive", control + "Adaptive/Tolerance=0.03",
                                      control + "Adaptive/Maximum Gap Ratio=1.3",

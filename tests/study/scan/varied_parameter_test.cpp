@@ -33,6 +33,13 @@ TEST(VariedParameterTest, AnyValuesStandInBraces) {
   EXPECT_EQ(varied.values[1].settings, Assignments{"Time Integrator/Type=Average Vector Field"});
 }
 
+TEST(VariedParameterTest, ArraysStandInBracesOfTheirOwn) {
+  const VariedParameter varied = read_varied("Mesh/Box/Divisions={{40, 2}, {80, 4}}");
+  ASSERT_EQ(varied.values.size(), 2U);
+  EXPECT_EQ(varied.values[1].label, "80x4");
+  EXPECT_EQ(varied.values[1].settings, Assignments{"Mesh/Box/Divisions={80, 4}"});
+}
+
 TEST(VariedParameterTest, WhatIsNoRangeIsRefused) {
   const auto expect = [](const std::string& text, const std::string& words) {
     test::expect_contains(test::refusal([&] { read_varied(text); }), "--vary \"" + text + "\": " + words);
