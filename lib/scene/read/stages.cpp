@@ -4,7 +4,6 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
-#include <utility>
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
@@ -123,7 +122,7 @@ void declare_stages(List& scene) {
   mark_like_root(stage);
 }
 
-Stages::Stages(List scene, const GivenHistories& given) : scene_(std::move(scene)), given_(given) {
+Stages::Stages(const List& scene, const GivenHistories& given) : scene_(scene), given_(given) {
   if (!scene_.isSublist(list_name)) return;
   for (const auto& [name, entry] : entries(scene_.sublist(list_name))) {
     if (!entry.isList()) throw InputError(fmt::format("{}/{} is a parameter, but a stage is a list", list_name, name));

@@ -18,7 +18,7 @@ class Stages {
  public:
   /// `scene`: as a user writes it. Throws InputError, with the path, for a list that no stage may have. Functions of
   /// the program, `given`, go on by the clock of the run.
-  explicit Stages(Teuchos::ParameterList scene, const GivenHistories& given = {});
+  explicit Stages(const Teuchos::ParameterList& scene, const GivenHistories& given = {});
 
   std::size_t count() const { return names_.empty() ? 1 : names_.size(); }
   bool any() const { return !names_.empty(); }

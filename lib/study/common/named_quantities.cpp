@@ -8,7 +8,7 @@ std::vector<AskedQuantity> named_quantities(const Simulation& simulation) {
   std::vector<AskedQuantity> quantities;
   if (simulation.output().quantities.empty()) return quantities;
   at("Output/Quantities", [&] {
-    const std::vector<std::string> columns = simulation.run_columns();
+    const std::vector<std::string>& columns = simulation.run_columns();
     for (const std::string& text : simulation.output().quantities) {
       quantities.emplace_back(text);
       quantities.back().check_columns(columns);
