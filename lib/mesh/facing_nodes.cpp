@@ -9,8 +9,8 @@
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 
-#include "base/vec.hpp"
 #include "mesh/cell_sides.hpp"
+#include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {
@@ -27,20 +27,13 @@ struct Ball {
   double radius = 0;
 };
 
-Vec<3> place(const Mesh& mesh, int node) {
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  Vec<3> result{};
-  for (std::size_t i = 0; i < d; ++i) result[i] = mesh.coordinates[d * static_cast<std::size_t>(node) + i];
-  return result;
-}
-
 std::vector<Ball> balls(const Mesh& mesh, const std::string& name) {
   std::vector<Ball> result;
   for (const Side& side : side_set_named(mesh, name).sides) {
     Ball ball{side, nodes_of_side(mesh, side)};
     for (const int node : ball.nodes)
-      ball.middle = ball.middle + 1 / static_cast<double>(ball.nodes.size()) * place(mesh, node);
-    for (const int node : ball.nodes) ball.radius = std::max(ball.radius, length(place(mesh, node) - ball.middle));
+      ball.middle = ball.middle + 1 / static_cast<double>(ball.nodes.size()) * node_place(mesh, node);
+    for (const int node : ball.nodes) ball.radius = std::max(ball.radius, length(node_place(mesh, node) - ball.middle));
     result.push_back(std::move(ball));
   }
   return result;
@@ -66,7 +59,8 @@ FacingNodes facing_nodes(const Mesh& mesh, const std::string& first, const std::
     result.sides.push_back(ball.side);
     for (const int node : ball.nodes) {
       const auto nearer = [&](int a, int b) {
-        return length(place(mesh, a) - place(mesh, node)) < length(place(mesh, b) - place(mesh, node));
+        return length(node_place(mesh, a) - node_place(mesh, node)) <
+               length(node_place(mesh, b) - node_place(mesh, node));
       };
       result.pairs.emplace_back(node, *std::min_element(near.nodes.begin(), near.nodes.end(), nearer));
     }

@@ -10,6 +10,7 @@
 #include "interaction/gap_law.hpp"
 #include "interaction/obstacle.hpp"
 #include "material/elastic_law.hpp"
+#include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
 #include "scene/read/mesh_parts.hpp"
 
@@ -20,12 +21,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Point = std::array<double, 3>;
 
-Point point_of(const Mesh& mesh, int node) {
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  Point x{};
-  for (std::size_t i = 0; i < d; ++i) x[i] = mesh.coordinates[static_cast<std::size_t>(node) * d + i];
-  return x;
-}
+/// The box around points.
+struct Bounds {
+  Point lower{infinity, infinity, infinity}, upper{-infinity, -infinity, -infinity};
+  void add(const Point& x) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      lower[i] = std::min(lower[i], x[i]);
+      upper[i] = std::max(upper[i], x[i]);
+    }
+  }
+  double extent(std::size_t axis) const { return upper[axis] - lower[axis]; }
+};
 
 /// Calls visit(node) for the nodes of all cells of the block, of enriched ones for those of their plain_type(); returns
 /// whether there is one.
@@ -43,16 +49,8 @@ bool for_each_place(const Mesh& mesh, const std::string& name, const Visit& visi
 }
 
 std::optional<BodyNumbers> body_numbers(const std::string& name, const Material& material, const Mesh& mesh) {
-  Point lower, upper;
-  lower.fill(infinity);
-  upper.fill(-infinity);
-  const bool found = for_each_place(mesh, material.block, [&](int node) {
-    const Point x = point_of(mesh, node);
-    for (std::size_t i = 0; i < 3; ++i) {
-      lower[i] = std::min(lower[i], x[i]);
-      upper[i] = std::max(upper[i], x[i]);
-    }
-  });
+  Bounds box;
+  const bool found = for_each_place(mesh, material.block, [&](int node) { box.add(node_place(mesh, node)); });
   if (!found) return std::nullopt;
   const Lame lame = material.law->lame();
   const double ratio = lame.lambda / (2 * (lame.lambda + lame.mu));
@@ -62,8 +60,8 @@ std::optional<BodyNumbers> body_numbers(const std::string& name, const Material&
   body.plane_modulus = body.modulus / (1 - ratio * ratio);
   body.density = material.density;
   body.wave_speed = std::sqrt((lame.lambda + 2 * lame.mu) / material.density);
-  for (std::size_t i = 0; i < 3; ++i) body.size = std::max(body.size, upper[i] - lower[i]);
-  if (mesh.axisymmetric) body.size = std::max(body.size, 2 * upper[0]);
+  for (std::size_t i = 0; i < 3; ++i) body.size = std::max(body.size, box.extent(i));
+  if (mesh.axisymmetric) body.size = std::max(body.size, 2 * box.upper[0]);
   body.crossing_time = body.size / body.wave_speed;
   return body;
 }
@@ -73,7 +71,7 @@ double extent_along(const Mesh& mesh, const std::vector<int>& parts, int part, c
   double lowest = infinity, highest = -infinity;
   for (int node = 0; node < mesh.nodes(); ++node) {
     if (parts[static_cast<std::size_t>(node)] != part || mesh.is_derivative(node)) continue;
-    const Point x = point_of(mesh, node);
+    const Point x = node_place(mesh, node);
     const double place = x[0] * direction[0] + x[1] * direction[1] + x[2] * direction[2];
     lowest = std::min(lowest, place);
     highest = std::max(highest, place);
@@ -87,7 +85,7 @@ std::vector<Point> side_points(const Mesh& mesh, const Side& side) {
   const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
   std::vector<Point> points;
   for (int a : side_nodes(is_quadratic(block.type) ? block.type : corner_type(block.type), side.side))
-    points.push_back(point_of(mesh, nodes[a]));
+    points.push_back(node_place(mesh, nodes[a]));
   return points;
 }
 
@@ -147,22 +145,16 @@ void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, S
 /// Returns the shorter side of the box around the sides of a set, without the axis that is nearest to the normal; of a
 /// body of revolution its outer radius, where the surface lies across the axis.
 double extent_of(const Mesh& mesh, const SideSet& set, const Point& normal) {
-  Point lower, upper;
-  lower.fill(infinity);
-  upper.fill(-infinity);
+  Bounds box;
   for (const Side& side : set.sides)
-    for (const Point& point : side_points(mesh, side))
-      for (std::size_t i = 0; i < 3; ++i) {
-        lower[i] = std::min(lower[i], point[i]);
-        upper[i] = std::max(upper[i], point[i]);
-      }
+    for (const Point& point : side_points(mesh, side)) box.add(point);
   std::size_t along = 0;
   for (std::size_t i = 1; i < 3; ++i)
     if (std::abs(normal[i]) > std::abs(normal[along])) along = i;
-  if (mesh.axisymmetric && along == 1) return upper[0];
+  if (mesh.axisymmetric && along == 1) return box.upper[0];
   double extent = infinity;
   for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i)
-    if (i != along) extent = std::min(extent, upper[i] - lower[i]);
+    if (i != along) extent = std::min(extent, box.extent(i));
   return extent;
 }
 

@@ -15,6 +15,7 @@
 #include "interaction/obstacle.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/free_motions.hpp"
+#include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
 #include "model/conditions.hpp"
 #include "scene/read/grips.hpp"
@@ -125,12 +126,7 @@ class Supports {
  private:
   int part_of(int node) const { return parts_[static_cast<std::size_t>(node)]; }
 
-  Point place(int node) const {
-    Point x{};
-    const auto d = static_cast<std::size_t>(mesh_.dimension);
-    for (std::size_t i = 0; i < d; ++i) x[i] = mesh_.coordinates[static_cast<std::size_t>(node) * d + i];
-    return x;
-  }
+  Point place(int node) const { return node_place(mesh_, node); }
 
   template <class Values>
   static void append(const Values& values, Values& all) {
