@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <boost/geometry/algorithms/assign.hpp>
 #include <boost/geometry/algorithms/distance.hpp>
+#include <boost/geometry/algorithms/expand.hpp>
+#include <boost/geometry/arithmetic/arithmetic.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -17,7 +19,11 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/vec.hpp"
+#include "base/vector3.hpp"
+#include "mesh/cell_place.hpp"
 #include "mesh/cell_sides.hpp"
+#include "mesh/node_place.hpp"
 #include "mesh/normalize.hpp"
 
 namespace ixos {
@@ -25,15 +31,10 @@ namespace {
 
 namespace bg = boost::geometry;
 namespace index = bg::index;
-using Place = bg::model::point<double, 3, bg::cs::cartesian>;
-using Entry = std::pair<Place, int>;
-using Tree = index::rtree<Entry, index::quadratic<16>>;
+using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
+using Entry = std::pair<TreePoint, int>;
 
-Place place_of(const Mesh& mesh, int node) {
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  const double* x = &mesh.coordinates[static_cast<std::size_t>(node) * d];
-  return {x[0], x[1], d == 3 ? x[2] : 0.0};
-}
+TreePoint point(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
 
 /// Returns the number of each block's part.
 std::vector<int> parts_of_blocks(const Mesh& mesh, const std::vector<MeshPart>& parts) {
@@ -65,17 +66,18 @@ class Merging {
     std::vector<Entry> fresh;
     std::set<int> taken;
     for (const int node : nodes) {
-      const Place place = place_of(mesh_, node);
+      const TreePoint place = point(node_place(mesh_, node));
       std::vector<Entry> nearest;
       tree_.query(index::nearest(place, 1), std::back_inserter(nearest));
       if (nearest.empty() || bg::distance(place, nearest.front().first) > tolerance_) {
         fresh.emplace_back(place, node);
         continue;
       }
-      same_[static_cast<std::size_t>(node)] = nearest.front().second;
-      targets_.insert(nearest.front().second);
+      const int target = nearest.front().second;
+      same_[static_cast<std::size_t>(node)] = target;
+      targets_.insert(target);
       ++merged_;
-      if (!taken.insert(nearest.front().second).second)
+      if (!taken.insert(target).second)
         throw InputError(fmt::format(
             "{} is too large: it makes one node of two nodes of the part \"{}\" near {}; it must be smaller than the "
             "distance of its nodes",
@@ -87,12 +89,7 @@ class Merging {
   int of(int node) const { return same_[static_cast<std::size_t>(node)]; }
   /// Returns whether the node became another one, or another one became it.
   bool is_shared(int node) const { return of(node) != node || targets_.count(node) > 0; }
-  std::string in_words(int node) const {
-    const Place place = place_of(mesh_, node);
-    return mesh_.dimension == 2
-               ? fmt::format("({:.6g}, {:.6g})", place.get<0>(), place.get<1>())
-               : fmt::format("({:.6g}, {:.6g}, {:.6g})", place.get<0>(), place.get<1>(), place.get<2>());
-  }
+  std::string in_words(int node) const { return point_in_words(node_place(mesh_, node), mesh_.dimension); }
 
  private:
   static std::vector<int> all_nodes(const Mesh& mesh) {
@@ -105,7 +102,7 @@ class Merging {
   double tolerance_;
   std::vector<int> same_;  ///< by node
   std::set<int> targets_;
-  Tree tree_;
+  index::rtree<Entry, index::quadratic<16>> tree_;
   int merged_ = 0;
 };
 
@@ -119,75 +116,48 @@ void renumber(Mesh& mesh, const Merging& merging) {
   }
 }
 
-std::array<double, 3> minus(const Place& a, const Place& b) {
-  return {a.get<0>() - b.get<0>(), a.get<1>() - b.get<1>(), a.get<2>() - b.get<2>()};
-}
+/// A side that only one cell has.
+struct FreeSide {
+  int part;
+  std::vector<int> nodes;
+  std::vector<Vec<3>> corners;
+  Vec<3> middle, normal;
+};
 
-double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+FreeSide free_side(const Mesh& mesh, const Side& side, int part) {
+  FreeSide own{
+      part, nodes_of_side(mesh, side), {}, centre_of(mesh, sorted_corners(mesh, side)), outward_normal(mesh, side)};
+  for (std::size_t k = 0; k < (mesh.dimension == 2 ? 2U : 4U); ++k)
+    own.corners.push_back(node_place(mesh, own.nodes[k]));
+  return own;
 }
 
 /// Returns whether a point lies on a side between its corners, away from its rim.
-bool lies_within(const Mesh& mesh, const std::vector<Place>& corners, const std::array<double, 3>& normal,
-                 const Place& point, double tolerance) {
-  const double size = std::sqrt(dot(normal, normal));
-  if (std::abs(dot(normal, minus(point, corners[0]))) > tolerance * size) return false;
-  if (mesh.dimension == 2) {
-    const std::array<double, 3> along = minus(corners[1], corners[0]);
-    const double length = std::sqrt(dot(along, along)), place = dot(along, minus(point, corners[0])) / length;
-    return place > tolerance && place < length - tolerance;
+bool lies_within(const FreeSide& side, const Vec<3>& x, double tolerance) {
+  const double size = length(side.normal);
+  if (std::abs(dot(side.normal, x - side.corners[0])) > tolerance * size) return false;
+  if (side.corners.size() == 2) {
+    const Vec<3> along = side.corners[1] - side.corners[0];
+    const double whole = length(along), place = dot(along, x - side.corners[0]) / whole;
+    return place > tolerance && place < whole - tolerance;
   }
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const std::array<double, 3> edge = minus(corners[(k + 1) % corners.size()], corners[k]);
-    const double inside = dot(normal, cross(edge, minus(point, corners[k])));
-    if (!(inside > tolerance * size * std::sqrt(dot(edge, edge)))) return false;
+  for (std::size_t k = 0; k < side.corners.size(); ++k) {
+    const Vec<3> edge = side.corners[(k + 1) % side.corners.size()] - side.corners[k];
+    const double inside = dot(side.normal, cross(edge, x - side.corners[k]));
+    if (!(inside > tolerance * size * length(edge))) return false;
   }
   return true;
 }
 
-/// A side that only one cell has, with its part.
-struct FreeSide {
-  Side side;
-  int part;
-  std::vector<int> nodes;
-  std::vector<Place> corners;
-  std::array<double, 3> normal;
-};
+using Box = bg::model::box<TreePoint>;
 
-FreeSide free_side(const Mesh& mesh, const Side& side, int part) {
-  FreeSide own{side, part, nodes_of_side(mesh, side), {}, outward_normal(mesh, side)};
-  for (std::size_t k = 0; k < (mesh.dimension == 2 ? 2U : 4U); ++k) own.corners.push_back(place_of(mesh, own.nodes[k]));
-  return own;
-}
-
-using Box = bg::model::box<Place>;
-
-Box box_around(const std::vector<Place>& points, double margin) {
-  std::array<double, 3> low{}, high{};
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::array<double, 3> x{points[k].get<0>(), points[k].get<1>(), points[k].get<2>()};
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = k == 0 ? x[i] : std::min(low[i], x[i]);
-      high[i] = k == 0 ? x[i] : std::max(high[i], x[i]);
-    }
-  }
-  return {Place(low[0] - margin, low[1] - margin, low[2] - margin),
-          Place(high[0] + margin, high[1] + margin, high[2] + margin)};
-}
-
-Place middle(const std::vector<Place>& corners) {
-  std::array<double, 3> sum{};
-  for (const Place& corner : corners) {
-    sum[0] += corner.get<0>();
-    sum[1] += corner.get<1>();
-    sum[2] += corner.get<2>();
-  }
-  const auto n = static_cast<double>(corners.size());
-  return {sum[0] / n, sum[1] / n, sum[2] / n};
+Box box_around(const std::vector<Vec<3>>& points, double margin) {
+  Box box;
+  bg::assign_inverse(box);
+  for (const Vec<3>& x : points) bg::expand(box, point(x));
+  bg::add_value(box.max_corner(), margin);
+  bg::subtract_value(box.min_corner(), margin);
+  return box;
 }
 
 /// Throws if two sides of different parts that are not one lie on each other: the middle of one, or a node of it that
@@ -212,13 +182,13 @@ void refuse_faces_that_do_not_match(const Mesh& mesh, const std::vector<Side>& s
   }
   const index::rtree<std::pair<Box, std::size_t>, index::quadratic<16>> tree(boxes);
   for (const FreeSide& own : free) {
-    std::vector<Place> points{middle(own.corners)};
+    std::vector<Vec<3>> points{own.middle};
     for (const int node : own.nodes)
-      if (!merging.is_shared(node)) points.push_back(place_of(mesh, node));
-    for (const Place& point : points)
-      for (auto found = tree.qbegin(index::intersects(point)); found != tree.qend(); ++found) {
+      if (!merging.is_shared(node)) points.push_back(node_place(mesh, node));
+    for (const Vec<3>& x : points)
+      for (auto found = tree.qbegin(index::intersects(point(x))); found != tree.qend(); ++found) {
         const FreeSide& other = free[found->second];
-        if (other.part == own.part || !lies_within(mesh, other.corners, other.normal, point, tolerance)) continue;
+        if (other.part == own.part || !lies_within(other, x, tolerance)) continue;
         throw InputError(
             fmt::format("the parts \"{}\" and \"{}\" touch near {}, but their faces do not match; give both the same "
                         "divisions there, or let them stick by an interaction with a Primary Side Set",
