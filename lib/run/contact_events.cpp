@@ -9,19 +9,22 @@ ContactEvents::ContactEvents(const std::vector<std::string>& interactions) : tou
   for (const std::string& name : interactions) times_.push_back({name});
 }
 
-void ContactEvents::go_on_from(const ContactEvents& before) {
-  for (std::size_t k = 0; k < before.times_.size(); ++k) {
-    const auto own = std::find_if(times_.begin(), times_.end(), [&](const ContactTimes& times) {
-      return times.interaction == before.times_[k].interaction;
-    });
-    if (own == times_.end()) {
-      times_.push_back(before.times_[k]);
-      touches_.push_back(before.touches_[k]);
-      continue;
-    }
-    *own = before.times_[k];
-    touches_[static_cast<std::size_t>(own - times_.begin())] = before.touches_[k];
+/// Takes over the times of the interaction of that name; of another one only with `new_ones_too`.
+void ContactEvents::take(const ContactTimes& times, bool touches, bool new_ones_too) {
+  const auto own = std::find_if(times_.begin(), times_.end(),
+                                [&](const ContactTimes& other) { return other.interaction == times.interaction; });
+  const auto place = static_cast<std::size_t>(own - times_.begin());
+  if (own == times_.end()) {
+    if (!new_ones_too) return;
+    times_.emplace_back();
+    touches_.push_back(0);
   }
+  times_[place] = times;
+  touches_[place] = touches ? 1 : 0;
+}
+
+void ContactEvents::go_on_from(const ContactEvents& before) {
+  for (std::size_t k = 0; k < before.times_.size(); ++k) take(before.times_[k], before.touches_[k] != 0, true);
 }
 
 void ContactEvents::row(double time, const std::vector<double>& measures) {
@@ -56,18 +59,7 @@ void ContactEvents::transfer(Record& record) {
     transfer("first", own.first);
     transfer("released", own.released);
     record.number("touches", touches);
-    if (!record.loading()) continue;
-    const bool is_new = std::none_of(times_.begin(), times_.end(),
-                                     [&](const ContactTimes& times) { return times.interaction == own.interaction; });
-    if (is_new && record.same_scene()) {  // of an earlier stage
-      times_.push_back(own);
-      touches_.push_back(touches ? 1 : 0);
-    }
-    for (std::size_t i = 0; i < times_.size(); ++i) {
-      if (times_[i].interaction != own.interaction) continue;
-      times_[i] = own;
-      touches_[i] = touches ? 1 : 0;
-    }
+    if (record.loading()) take(own, touches, record.same_scene());  // new ones are of earlier stages
   }
 }
 

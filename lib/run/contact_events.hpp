@@ -31,6 +31,8 @@ class ContactEvents {
   void transfer(Record& record);
 
  private:
+  void take(const ContactTimes& times, bool touches, bool new_ones_too);
+
   std::vector<ContactTimes> times_;
   std::vector<char> touches_;  ///< in the row before
 };

@@ -52,6 +52,18 @@ fs::path resolved(const std::string& path) {
   return whole;
 }
 
+/// Returns the file behind a path. Throws InputError on all ranks if it is no sound checkpoint. One rank chooses: a
+/// file that another one cannot read must not lead it to an older checkpoint. Collective.
+std::string sound_checkpoint(const Comm& comm, const std::string& path) {
+  std::string file;
+  on_first_rank(comm, [&] {
+    file = resolved(path).string();
+    const std::string problem = seal_problem(file);
+    if (!problem.empty()) throw InputError(file + ": " + problem + offer(file));
+  });
+  return from_first_rank(comm, file);
+}
+
 /// Returns the times at which the stages of a checkpoint after the first one began [T0].
 std::vector<double> begins_of_stages(const std::string& path, std::size_t stages) {
   Hdf5Input file(path);
@@ -75,13 +87,7 @@ std::vector<double> begins_of_stages(const std::string& path, std::size_t stages
 
 Restart::Restart(const Simulation& simulation, const std::string& path) {
   const Model& model = simulation.model();
-  // One rank chooses: a file that another one cannot read must not lead it to an older checkpoint.
-  on_first_rank(model.space().comm(), [&] {
-    path_ = resolved(path).string();
-    const std::string problem = seal_problem(path_);
-    if (!problem.empty()) throw InputError(path_ + ": " + problem + offer(path_));
-  });
-  path_ = from_first_rank(model.space().comm(), path_);
+  path_ = sound_checkpoint(model.space().comm(), path);
   together<InputError>(model.space().comm(), [&] { compare_scenes(simulation); });
   reader_ = std::make_unique<CheckpointReader>(path_, model.space(), model.mesh());
   reader_->set_same(same_scene_, same_solution_);
@@ -133,13 +139,7 @@ void Restart::load(const std::function<void(Record&)>& transfer) {
 std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, const std::string& path) {
   if (!simulation.stages().any()) return nullptr;
   const Comm& comm = simulation.model().space().comm();
-  std::string file;
-  on_first_rank(comm, [&] {
-    file = resolved(path).string();
-    const std::string problem = seal_problem(file);
-    if (!problem.empty()) throw InputError(file + ": " + problem + offer(file));
-  });
-  file = from_first_rank(comm, file);
+  const std::string file = sound_checkpoint(comm, path);
   std::vector<double> begins;
   together<InputError>(comm, [&] { begins = begins_of_stages(file, simulation.stages().count()); });
   std::shared_ptr<Simulation> stage;
