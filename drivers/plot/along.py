@@ -26,45 +26,32 @@ the scene's Output/Fields chooses them."""
 SURFACE = re.compile("gap|contact_pressure|interaction_traction|(gap|pressure|slip|friction|traction)_.*")
 
 
-def places(fields, nodes, frame):
-    """The axis of the longer side of a set, 0 for x, the order of its nodes along it, and their present places."""
+def way_along(fields, nodes, set_name):
+    """The axis of the longer side of a set, 0 for x, and its nodes along it. A surface that folds back has none."""
     reference = fields.coordinates[nodes]
-    axis = int(np.argmax(np.ptp(reference, axis=0)))
+    sides = np.ptp(reference, axis=0)
+    axis = int(np.argmax(sides))
     order = np.argsort(reference[:, axis], kind="stable")
-    return axis, order, (fields.coordinates + fields.displacement(frame))[nodes][order, axis]
+    way = np.linalg.norm(np.diff(reference[order], axis=0), axis=1).sum()
+    if way > 2 * np.linalg.norm(sides):  # two places at one coordinate
+        raise ResultsError(f"{fields.path}: the set '{set_name}' goes back and forth; choose one side of it, by a set of "
+                           "the scene's Mesh/Sets")
+    return axis, nodes[order]
 
 
-def chosen_names(fields, nodes, frames, asked):
-    """The fields to draw, by the names of their components; of those that nobody asked for, what differs from zero."""
+def values_along(fields, nodes, frames, asked):
+    """By component, the values of each frame; of the fields that nobody asked for, those that differ from zero."""
     names = asked or [name for name in fields.nodal_names() if SURFACE.fullmatch(name)]
     if not names:
         raise ResultsError(f"{fields.path} has no field of a surface; Output/Fields of the scene chooses them, such as "
                            f"gap or contact_pressure. Fields of nodes: {', '.join(fields.nodal_names())}")
-    result = []
+    values = {}
     for name in names:
-        columns = [fields.nodal_components(name, frame) for frame in frames]
-        result += [component for component in columns[0]
-                   if asked or any(np.nan_to_num(column[component][nodes]).any() for column in columns)]
-    return result or names
-
-
-def curves(fields, nodes, name, frames):
-    """(place, value) of each frame; nodes without the field are left out."""
-    for frame in frames:
-        _, order, place = places(fields, nodes, frame)
-        values = next(iter(fields.nodal_components(name, frame).values()))[nodes][order]
-        kept = np.isfinite(values)
-        yield place[kept], values[kept]
-
-
-def refuse_folds(fields, nodes, set_name):
-    """Curves need a surface that goes one way: a closed one has two places at one coordinate."""
-    reference = fields.coordinates[nodes]
-    _, order, _ = places(fields, nodes, 0)
-    way = np.linalg.norm(np.diff(reference[order], axis=0), axis=1).sum()
-    if way > 2 * np.linalg.norm(np.ptp(reference, axis=0)):
-        raise ResultsError(f"{fields.path}: the set '{set_name}' goes back and forth; choose one side of it, by a set of "
-                           "the scene's Mesh/Sets")
+        for frame in frames:
+            for component, column in fields.nodal_components(name, frame).items():
+                values.setdefault(component, []).append(column[nodes])
+    worth = {name: columns for name, columns in values.items() if asked or np.nan_to_num(columns).any()}
+    return worth or values
 
 
 def draw(folder, set_name, names, frames, output, formats):
@@ -73,18 +60,18 @@ def draw(folder, set_name, names, frames, output, formats):
     if fields.dimension != 2:
         raise ResultsError(f"{fields.path}: curves are along the surfaces of plane bodies and bodies of revolution; "
                            "ParaView cuts a body in space")
-    nodes = fields.nodes_of(set_name)
-    refuse_folds(fields, nodes, set_name)
-    names = chosen_names(fields, nodes, frames, names)
-    axis = places(fields, nodes, frames[0])[0]
-    figure, grid = plt.subplots(len(names), 1, sharex=True, squeeze=False, layout="constrained",
-                                figsize=(5.2, 1.7 * len(names) + 0.9))
+    axis, nodes = way_along(fields, fields.nodes_of(set_name), set_name)
+    values = values_along(fields, nodes, frames, names)
+    places = [(fields.coordinates + fields.displacement(frame))[nodes, axis] for frame in frames]
+    figure, grid = plt.subplots(len(values), 1, sharex=True, squeeze=False, layout="constrained",
+                                figsize=(5.2, 1.7 * len(values) + 0.9))
     shades = plt.get_cmap("viridis")(np.linspace(0, 0.85, len(frames)))
-    for axes, name in zip(grid[:, 0], names):
-        for frame, shade, (place, values) in zip(frames, shades, curves(fields, nodes, name, frames)):
-            axes.plot(place, values, color=shade, label=f"t = {fields.times[frame]:.4g} {units.name('time', 2)}",
-                      marker="." if len(place) < 2 else None)
-        label = re.sub("([XYZ])(?= \\[|$)", lambda axis: " " + axis[1].lower(), style.field_label(name))
+    for axes, (name, columns) in zip(grid[:, 0], values.items()):
+        for frame, shade, place, column in zip(frames, shades, places, columns):
+            kept = np.isfinite(column)  # a node without the field has none
+            axes.plot(place[kept], column[kept], color=shade, marker="." if kept.sum() < 2 else None,
+                      label=f"t = {fields.times[frame]:.4g} {units.name('time', 2)}")
+        label = re.sub("([XYZ])(?= \\[|$)", lambda letter: " " + letter[1].lower(), style.field_label(name))
         axes.set_ylabel(label.replace(" [", "\n["))
     radius = axis == 0 and is_axisymmetric(folder)
     grid[-1, 0].set_xlabel(f"{'radius' if radius else 'xy'[axis]} {style.unit('length', 2)}")

@@ -132,7 +132,8 @@ def draw_force(axes, run):
         time, value = measures.event_peak(name, times, values, run["time"], run["contact_measure"])
         if np.isfinite(time) and times[0] < time < times[-1]:
             axes.plot(time, value, "o", color=style.INK, markersize=3, zorder=4)
-            axes.annotate(f"{name}: {value:.3g} {units.name('force', run.body_dimension)}", (time, value), (0, 4), textcoords="offset points",
+            words = f"{name}: {value:.3g} {units.name('force', run.body_dimension)}"
+            axes.annotate(words, (time, value), (0, 4), textcoords="offset points",
                           ha="right" if time > times[-1] / 2 else "left", va="bottom", fontsize=8)
     axes.margins(y=0.2)
 

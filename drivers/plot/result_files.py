@@ -68,8 +68,8 @@ class Fields:
 
     times: of the frames. dimension: 2 or 3. points: reference coordinates, a row a node. cells: the nodes of each cell,
     a row a cell. mesh_nodes: for each node its number in the mesh, from 0. blocks and node_sets: numbers of cells and
-    of nodes by name; side_set_nodes: those of side sets. totals: the global variables of all frames, such as total_energy, by name. Nodes and cells are in
-    the order of the mesh, whatever the number of ranks.
+    of nodes by name; side_set_nodes: those of side sets. totals: the global variables of all frames, such as
+    total_energy, by name. Nodes and cells are in the order of the mesh, whatever the number of ranks.
 
     `fields["displacement"]` is an array of frames x nodes x components, `fields["jacobian"]` one of frames x cells;
     `fields.at("displacement", frame)` reads one frame. `list(fields)` has the names. A component has a name of its own
@@ -125,9 +125,7 @@ class Fields:
 
     def at(self, name: str, frame: int) -> np.ndarray:
         """Returns a field at a frame: a value, or a row of components, for each node or cell."""
-        if name not in self._columns:
-            raise FileError(f"{self.path} has no field '{name}'; it has {', '.join(sorted(self))}")
-        kind, names = self._columns[name]
+        kind, names = self._column(name)
         order = self._order[kind]
         columns = [np.concatenate([part.values(kind, column, frame) for part in self._parts], -1)[..., order]
                    for column in names]
@@ -135,9 +133,13 @@ class Fields:
 
     def is_nodal(self, name: str) -> bool:
         """Returns whether a field has values for nodes; FileError if there is no such field."""
+        return self._column(name)[0] == "node"
+
+    def _column(self, name):
+        """Whether a field is of nodes or cells, and its variables."""
         if name not in self._columns:
             raise FileError(f"{self.path} has no field '{name}'; it has {', '.join(sorted(self))}")
-        return self._columns[name][0] == "node"
+        return self._columns[name]
 
     def frame(self, time: float) -> int:
         """Returns the number of the frame nearest to a time, see nearest_frame()."""

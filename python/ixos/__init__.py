@@ -23,5 +23,5 @@ from .scene import Scene
 from .simulation import SceneWarning
 from .study import Study, StudyResults
 
-__all__ = ["Fields", "FileError", "InputError", "Mesh", "Progress", "Results", "RunResult", "Scene", "SceneWarning", "Simulation",
-           "StepResult", "Study", "StudyResults", "__version__", "results", "scan"]
+__all__ = ["Fields", "FileError", "InputError", "Mesh", "Progress", "Results", "RunResult", "Scene", "SceneWarning",
+           "Simulation", "StepResult", "Study", "StudyResults", "__version__", "results", "scan"]
