@@ -18,7 +18,7 @@ struct RowCounts {
   double wall_seconds = 0;  ///< cumulative
 };
 
-/// What a state gives a row. Groups of columns that the list "Output" leaves out are NaN.
+/// The numbers of one state. Groups of columns that the list "Output" leaves out are NaN.
 struct RowValues {
   std::vector<double> row;  ///< parallel to HistoryRow::columns()
   double kinetic = 0, elastic = 0, contact = 0;

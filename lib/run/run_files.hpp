@@ -39,11 +39,11 @@ class RunFiles {
   /// Goes on with them, once verified; what came after the checkpoint is dropped. Frames begin where there were none.
   void resume();
 
-  /// Gives the last state of a stage a row, unless it has one. Returns whether it was due.
+  /// Gives the last state of a stage a row, unless it has one. Returns whether it did.
   bool end_stage();
   /// Goes on with the rows of another simulation, which ends, and with frames in a new file, whose first one is the
-  /// present state; a stage with the same fields goes on with the file. Throws InputError, on all ranks, if the columns
-  /// are others.
+  /// present state. A stage with the same fields appends to the file of the stage before. Throws InputError, on all
+  /// ranks, if the columns are others.
   void go_on_from(RunFiles& before);
 
   /// A step that was attempted, and the clock after it.

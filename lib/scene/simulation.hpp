@@ -30,9 +30,8 @@ namespace ixos {
 class Simulation {
  public:
   /// `scene` is as a user writes it; the constructor converts units and validates it, and builds each later stage once
-  /// for its warnings and columns. `folder` is the folder of the
-  /// scene's file, for mesh files named relative to it. `given` are histories that the program evaluates, see
-  /// Histories. Throws InputError with the list path.
+  /// for its warnings and columns. `folder` is the folder of the scene's file, for mesh files named relative to it.
+  /// `given` are histories that the program evaluates, see Histories. Throws InputError with the list path.
   Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".",
              const GivenHistories& given = {});
 
@@ -94,7 +93,7 @@ class Simulation {
   std::vector<int> partition(const Mesh& mesh, int ranks, Inertia inertia) const;
   /// Extracts a rank's part, with its coarse cells if the solver may use them.
   LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks, Inertia inertia) const;
-  /// What the simulations of all stages are built from, and what they have in common.
+  /// The sources of the simulations of all stages, and what these have in common.
   struct Plan {
     Stages stages;
     std::function<Teuchos::ParameterList(const Teuchos::ParameterList&)> with_files;

@@ -62,8 +62,8 @@ class Integrator {
   /// single sources count from 0.
   void resume(const State& state, const Works& before);
 
-  /// Counts on from the works of another integrator, source by source, and adds to the external work. What sources that
-  /// this one does not have have dissipated counts as dissipated before.
+  /// Counts on from the works of another integrator, source by source, and adds to the external work. Sources that only
+  /// the other one has count as dissipated before.
   void continue_works(const Integrator& before, double external);
 
   /// Takes one step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.

@@ -50,10 +50,10 @@ double least_strength(const SurfaceNumbers& surface) {
 
 std::string regime_in_words(const SurfaceNumbers& surface) {
   if (!(surface.work > 0)) return "";
+  if (surface.radius > 0) return of_round(surface);
   // A round surface of a mesh that no generator made has no known radius.
   const bool is_flat = surface.largest_gap - surface.least_gap < 0.02 * surface.extent;
-  if (!(surface.radius > 0) && !is_flat) return "";
-  return surface.radius > 0 ? of_round(surface) : of_flat(surface);
+  return is_flat ? of_flat(surface) : "";
 }
 
 }  // namespace ixos

@@ -1,4 +1,4 @@
-/// What decides when an adhesive surface comes off.
+/// The regime of an adhesive surface: brittle, flaw-tolerant, or by its Tabor number.
 #pragma once
 #include <string>
 

@@ -63,7 +63,7 @@ void remove(List& scene, const std::string& path) {
   throw InputError(message);
 }
 
-/// Returns a list of the complete scene.
+/// Returns the list "Time Step Control" of a scene, which it makes if there is none.
 List& control(List& scene) { return scene.sublist("Time Integrator").sublist("Time Step Control"); }
 
 /// Returns a number of a list in the units of the scene, which the validation has not seen.
@@ -91,9 +91,7 @@ OwnParameters own_parameters(const List& stage) {
   List user(stage), valid;
   for (const auto& [name, entry] : entries(stage))
     if (entry.isList()) user.remove(name);
-  const List& all = scene_parameters().sublist(list_name).sublist(any_name);
-  for (const auto& [name, entry] : entries(all))
-    if (name == clock_name || name == without_name) valid.setEntry(name, entry);
+  valid.setParameters(scene_parameters().sublist(list_name).sublist(any_name));  // without its mark
   const List own = validated(user, valid);
   return {own.get<std::string>(clock_name) == "Stage", own.get<Strings>(without_name).toVector()};
 }
@@ -112,9 +110,9 @@ void declare_stages(List& scene) {
       "added to those that the bodies have, and a criterion ends the stage.");
   stage.set(
       clock_name, "Stage",
-      "What the times in the lists of a stage count from. Stage: from its beginning; Final Time is its length, "
+      "Beginning from which the times in the lists of a stage count. Stage: its own; Final Time is then its length, "
       "by default that of the stage before, and a history that it gives adds to the value that the history of that "
-      "name had there. Run: from the beginning of the run, as elsewhere.",
+      "name had there. Run: that of the run, as elsewhere.",
       one_of({"Stage", "Run"}));
   stage.set(without_name, Strings(),
             "Paths of lists and parameters of the stage before that are left out, such as \"Boundary "

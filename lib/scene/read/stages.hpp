@@ -11,8 +11,8 @@ namespace ixos {
 /// Adds the list "Stages" to a valid scene.
 void declare_stages(Teuchos::ParameterList& scene);
 
-/// The scenes of the stages. Each is the scene of the stage before, changed by the lists of its own; the first one
-/// changes the scene itself. Criteria of Stop and Initial Conditions hold for the stage that gives them. A scene
+/// The scenes of the stages. The lists of a stage change the scene of the stage before; those of the first stage change
+/// the scene itself. Criteria of Stop and Initial Conditions hold for the stage that gives them. A scene
 /// without the list "Stages" is one stage without a name.
 class Stages {
  public:

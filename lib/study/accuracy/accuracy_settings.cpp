@@ -32,8 +32,8 @@ AccuracySettings first_settings(const Simulation& simulation, double accuracy) {
   const Table& table = simulation.integrator().table();
   if (simulation.stages().any())
     throw InputError(
-        "--accuracy: the scene has Stages, and each may set steps of its own; choose their steps in the scene, or vary "
-        "them by ixos-study --scan");
+        "--accuracy: the scene has Stages, which set their own steps: choose them in the scene, or vary them by "
+        "ixos-study --scan");
   if (table.mass == Inertia::None)
     throw InputError(
         "--accuracy: the Time Integrator/Type \"" + scheme +

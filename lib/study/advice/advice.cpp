@@ -188,9 +188,10 @@ Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
         quantity_forms());
   const Teuchos::ParameterList scene = changed_scene(question.scene, question.common);  // before anything is written
   if (scene.sublist("Stages").numParams() > 0)
-    throw InputError(question.scene +
-                     ": the scene has Stages, and each may set steps of its own, which an advice does not vary; use "
-                     "--scan, or a scene of one stage");
+    throw InputError(
+        question.scene +
+        ": an advice does not vary the steps of Stages, which the scene has: use --scan, or a scene of one "
+        "stage");
   std::error_code code;
   std::filesystem::create_directories(options.folder, code);
   if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
