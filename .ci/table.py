@@ -50,7 +50,7 @@ SLICES = (
           "IXOS_PRESET=sanitize targets=unit_tests_4 tests/run.sh -L unit-4"),
     Slice("long-3", "all other long tests",
           f"IXOS_LONG=1 tests/run.sh -L long -E '{RESTARTS}|{EXTREMES}'"),
-    Slice("readme", "README's commands in a clean root of Debian 12",
+    Slice("readme", "commands of the README and of two tutorials in a clean root of Debian 12",
           "tests/readme/run.sh build/readme"),
     Slice("debian-13-others", "Debian 13: build and all other quick tests",
           "tests/distributions/run.sh trixie --part others"),

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Lists the commands of README.md, or runs them in order.
+"""Lists the commands of README.md and of two tutorials, or runs them in order.
 
     tests/readme/blocks.py [--run PREFIX...]
 
-Each command of a block of sh, and each block of python or xml is one: a new block needs no entry here. PREFIX are words
+Each command of a block of sh, and each block of python or xml is one: a new block needs no entry here. Of a tutorial it
+is each indented line that begins with a program, as a reader would copy it. PREFIX are words
 before each command, such as chroot and its folder: bash begins there in a checkout. A command that still runs at its
 limit is ended; it passes if it has printed no error and is none of those that must end (LIMITS). The exit status is 1
 if a command failed.
@@ -17,11 +18,16 @@ import sys
 import tempfile
 import time
 
-README = pathlib.Path(__file__).resolve().parents[2] / "README.md"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+README = ROOT / "README.md"
+TUTORIALS = ("docs/tutorials/mushroom-pillar/mushroom-pillar.md", "docs/tutorials/scan-20/scan-20.md")
+COPIED = re.compile(r"^    ((?:ixos|ixos-study|docs/\S+|drivers/\S+) (?:[^\n]*\\\n)*[^\n]*|docs/\S+)$", re.MULTILINE)
+# As docs/tutorials/README.md says.
+BUILT = "PATH=$PWD/build/release/drivers:$PATH PYTHONPATH=build/release/python "
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 COMMENT = re.compile(r"\s{2,}# .*$", re.MULTILINE)
 ERROR = re.compile(r"^(ixos(-study)?: (?!warning: )|Traceback|.*\berror: )", re.MULTILINE)
-LIMIT = 60  # seconds
+LIMIT, LIMIT_OF_TUTORIALS = 60, 600  # seconds
 
 # By language: the command of a block; None if it has none.
 COMMANDS = {
@@ -65,12 +71,20 @@ def commands():
     return found
 
 
+def copied():
+    """Returns the commands of the tutorials, of each page in order."""
+    return [BUILT + command for page in TUTORIALS for command in COPIED.findall((ROOT / page).read_text(encoding="utf-8"))]
+
+
 def check():
     """Yields a message for each table of this file that does not fit README.md."""
     known = commands()
     for command in sorted(LEFT_OUT.keys() | SHORT.keys() | LIMITS.keys()):
         if command not in known:
             yield f"tests/readme/blocks.py: README.md does not have the command: {command}"
+    for page in TUTORIALS:
+        if not COPIED.search((ROOT / page).read_text(encoding="utf-8")):
+            yield f"tests/readme/blocks.py: {page} has no command"
     for language in sorted({language for language, _ in BLOCK.findall(README.read_text(encoding="utf-8"))}):
         if language not in COMMANDS:
             yield f"tests/readme/blocks.py: say what to do with README.md's blocks of {language}"
@@ -87,6 +101,11 @@ def end(process):
             pass
 
 
+def limit(command):
+    """Returns the seconds of a command. Those of tutorials must end: later ones draw their results."""
+    return LIMITS.get(command, LIMIT_OF_TUTORIALS if command.startswith(BUILT) else LIMIT)
+
+
 def run(command, prefix):
     """Runs a command. Returns why it failed, an empty string if it did not, and what it printed."""
     with tempfile.NamedTemporaryFile() as file:
@@ -94,13 +113,13 @@ def run(command, prefix):
         process = subprocess.Popen([*prefix, "bash", "-c", SHORT.get(command, command)], stdin=subprocess.DEVNULL,
                                    stdout=file, stderr=subprocess.STDOUT, start_new_session=True)
         try:
-            status = process.wait(LIMITS.get(command, LIMIT))
+            status = process.wait(limit(command))
             return f"exit status {status}" if status else "", output.read_text(errors="replace")
         except subprocess.TimeoutExpired:
             printed = output.read_text(errors="replace")  # before its end, of which programs complain
             end(process)
             print("   ended by its limit", flush=True)
-            if command in LIMITS:
+            if limit(command) > LIMIT:
                 return "not done within its limit", printed
             return "an error before its end" if ERROR.search(printed) else "", printed
         finally:  # this program may be ended, too, and the command has a session of its own
@@ -114,7 +133,7 @@ def main():
         sys.exit(__doc__)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that run() ends its command
     failed = 0
-    for command in commands():
+    for command in commands() + copied():
         print(f"== {command}", flush=True)
         if command in LEFT_OUT:
             print(f"   left out: {LEFT_OUT[command]}", flush=True)
