@@ -197,7 +197,7 @@ TEST_F(StagesTest, TheGuidesScenePressesWaitsAndPulls) {
   model.constraints().set(result.end_time, head.data(), nullptr, nullptr);
   EXPECT_NEAR(model.space().maximum(*std::max_element(head.begin(), head.end())), 6 - 0.3 * pressed, 1e-9);
   world()->barrier();
-  const std::vector<double>& force = table("guide").column("reaction_top_y");
+  const std::vector<double> force = table("guide").column("reaction_top_y");
   EXPECT_LT(force[static_cast<std::size_t>(result.stages[0].steps)], -0.5);
   EXPECT_GT(*std::max_element(force.begin(), force.end()), 0.5);
 }
