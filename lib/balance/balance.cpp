@@ -55,11 +55,10 @@ void Balance::sum(const BalancePoint& at, const double* fixed, double* out) {
 
 void Balance::tangent(const BalancePoint& at, const TangentWeights& weights, Tangent kind, const KeptForces* kept,
                       double* values) const {
-  const auto d = static_cast<std::size_t>(model_.mesh().dimension);
   if (model_.mass() != nullptr && weights.mass != 0)
     model_.mass()->set(weights.mass, values);
   else
-    std::fill_n(values, static_cast<std::size_t>(model_.pattern().pairs()) * d * d, 0.0);
+    std::fill_n(values, model_.pattern().matrix_values(), 0.0);
   if (at.rates == Rates::Stage) sums_.add_rate_tangent(at.elastic.end(), values);
   if (at.rates == Rates::State)
     sums_.add_rate_tangent_at(weights.damping, weights.stiffness, at.elastic.to, at.velocity, values);
@@ -71,6 +70,7 @@ void Balance::tangent(const BalancePoint& at, const TangentWeights& weights, Tan
   };
   if (weights.stiffness != 0) add(Part::Elastic, at.elastic, *at.elastic_rule, Tangent::Exact);
   if (weights.stiffness != 0) add(Part::Interaction, at.interaction, *at.interaction_rule, kind);
+  model_.pattern().condense(values);
   if (weights.shift != 0) add_to_diagonal(model_.pattern(), model_.mesh().dimension, weights.shift, values);
 }
 

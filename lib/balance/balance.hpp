@@ -57,8 +57,9 @@ class Balance {
   /// that do not depend on the unknown, such as less the load; null: none.
   void sum(const BalancePoint& at, const double* fixed, double* out);
 
-  /// Sets matrix values in the layout of Pattern::create_matrix to W, in all rows and columns, also those of
-  /// constrained degrees of freedom. `kept`: null, or that of the last evaluation, which must have been at the point.
+  /// Sets matrix values in the layout of Pattern::create_matrix, Pattern::values() of them, to W, in all rows and
+  /// columns, also those of constrained degrees of freedom. `kept`: null, or that of the last evaluation, which must
+  /// have been at the point.
   void tangent(const BalancePoint& at, const TangentWeights& weights, Tangent kind, const KeptForces* kept,
                double* values) const;
 

@@ -37,6 +37,7 @@ bool BalanceDerivatives::by_parameter(const BalancePoint& at, const TermParamete
   }
   if (!found)
     throw std::logic_error("the model has no number \"" + parameter.name + "\" of \"" + parameter.term + "\"");
+  model_.space().condense(df);
   return admissible;
 }
 
@@ -78,6 +79,7 @@ void BalanceDerivatives::by_time(const BalancePoint& at, double* df) const {
   std::fill_n(df, model_.space().local(), 0.0);
   for (const NamedForceTerm& named : model_.force_terms())
     named.term->add_time_derivative(segment(at, *named.term), rule(at, *named.term), df);
+  model_.space().condense(df);
   model_.loads().add_rate(at.elastic.start + at.elastic.length, -1, df);
 }
 

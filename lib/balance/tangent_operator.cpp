@@ -54,6 +54,7 @@ void TangentOperator::multiply(const double* x) const {
     else
       action->add_product(x, result_.data());
   for (const auto& action : interactions_) action->add_product(x, result_.data());
+  model_.space().condense(result_.data());
   if (!mass_in_elastic_) add_mass(x);
   if (shift_ != 0)
     for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_ * x[i];
@@ -76,6 +77,7 @@ void TangentOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETran
   for (std::size_t j = 0; j < x.getNumVectors(); ++j) {
     model_.space().import(*x.getVector(j), x_.data());
     for (int dof : model_.constraints().dofs()) x_[static_cast<std::size_t>(dof)] = 0;
+    if (!model_.constraints().empty()) model_.space().interpolate_tied(x_.data());
     multiply(x_.data());
     const auto from = x.getVector(j)->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (int dof : model_.constraints().dofs()) {
@@ -93,6 +95,7 @@ void TangentOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETran
 void TangentOperator::multiply_constrained_columns(const double* x, double* result) const {
   std::fill(x_.begin(), x_.end(), 0.0);
   for (int dof : model_.constraints().dofs()) x_[static_cast<std::size_t>(dof)] = x[dof];
+  model_.space().interpolate_tied(x_.data());
   multiply(x_.data());
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   std::copy_n(result_.begin(), owned, result);
@@ -105,6 +108,7 @@ void TangentOperator::diagonal(Vector& result) const {
   std::fill(result_.begin(), result_.end(), 0.0);
   for (const auto& action : elastic_) action->add_diagonal(result_.data());
   for (const auto& action : interactions_) action->add_diagonal(result_.data());
+  model_.space().ties().condense_diagonal(result_.data(), static_cast<std::size_t>(model_.mesh().dimension));
   if (model_.mass() != nullptr) model_.mass()->add_diagonal(mass_, result_.data());
   if (model_.damping() != nullptr) model_.damping()->add_mass_diagonal(damping_, result_.data());
   if (!rates_.empty())

@@ -183,7 +183,8 @@ void CoarseSpace::prolongate(const Vector& coarse, Vector& fine) const {
 void CoarseSpace::restrict_to_coarse(const Vector& fine, Vector& coarse) const {
   fine_space_.import(fine, on_fine_.data());
   std::fill(on_coarse_.begin(), on_coarse_.end(), 0.0);  // sums on ghosts are not whole, and not used
-  for (std::size_t node = 0; node < number_.size(); ++node)
+  const std::size_t free = number_.size() - static_cast<std::size_t>(fine_space_.ties().size());
+  for (std::size_t node = 0; node < free; ++node)
     for (const Share* share = shares_begin(node); share != shares_end(node); ++share)
       for (std::size_t i = 0; i < dimension_; ++i)
         on_coarse_[static_cast<std::size_t>(share->corner) * dimension_ + i] +=

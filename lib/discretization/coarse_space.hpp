@@ -19,6 +19,10 @@ namespace ixos {
 /// - Of a coarse cell's fine cells a rank may have some only. Each rank adds its own fine cells to the rows of all its
 ///   local coarse nodes, and the ranks sum them.
 ///
+/// Where quadratic cells have hanging nodes, a middle node of a coarse cell that is a corner of finer ones is a coarse
+/// node of its own. The linear cells do not conform there, and the Galerkin product is that of cells that come apart: a
+/// preconditioner all the same.
+///
 /// A coarse degree of freedom that moves a constrained fine one is left out: its column of P is zero, and matrices have
 /// a row of the identity there. Therefore P moves no constrained degree of freedom, and P^T W P is a Galerkin product.
 class CoarseSpace {

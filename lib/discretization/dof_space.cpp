@@ -33,12 +33,13 @@ DofSpace::DofSpace(const LocalMesh& mesh, const Comm& comm)
       owned_(mesh.owned_nodes * mesh.dimension),
       local_(mesh.nodes() * mesh.dimension),
       global_(mesh.global_nodes * mesh.dimension),
+      ties_(mesh.ties),
       comm_(comm),
       owned_map_(Teuchos::rcp(
           new Map(static_cast<Tpetra::global_size_t>(global_), static_cast<std::size_t>(owned_), 0, comm))),
       local_map_(comm->getSize() == 1
                      ? owned_map_
-                     : dof_map(mesh, mesh.nodes(),
+                     : dof_map(mesh, mesh.nodes() - mesh.ties.size(),
                                static_cast<long long>(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid()),
                                comm)) {
   if (comm->getSize() == 1) return;
@@ -52,15 +53,17 @@ void DofSpace::import(const Vector& owned, double* local) const {
   if (buffer_.is_null()) {
     const auto view = owned.getLocalViewHost(Tpetra::Access::ReadOnly);
     std::copy_n(view.data(), owned_, local);
+    interpolate_tied(local);
     return;
   }
   buffer_->doImport(owned, *importer_, Tpetra::INSERT);
   const auto view = buffer_->getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::copy_n(view.data(), local_, local);
+  std::copy_n(view.data(), view.extent(0), local);
+  interpolate_tied(local);
 }
 
 void DofSpace::update_ghosts(double* local) const {
-  if (buffer_.is_null()) return;
+  if (buffer_.is_null()) return interpolate_tied(local);
   Vector owned(owned_map_);
   {
     const auto view = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);

@@ -40,7 +40,7 @@ class ElementBatches {
         const auto node = [&](std::size_t a) { return dofs_[batch][a][lane] / static_cast<int>(D); };
         Places& places = places_[batch];
         for (std::size_t a = 0; a < N; ++a) {
-          places.stride[a][lane] = node(a) < pattern.rows() ? pattern.stride(node(a)) : 0;
+          places.stride[a][lane] = pattern.has_row(node(a)) ? pattern.stride(node(a)) : 0;
           for (std::size_t b = 0; b < N; ++b) places.offset[a][b][lane] = pattern.offset(node(a), node(b));
         }
       }

@@ -50,6 +50,7 @@ void add_block_measure(const LocalMesh& mesh, const LocalBlock& block, std::vect
       add<Element, Element::dimension>(mesh, &block.nodes[cell_entry(cell, Element::nodes)],
                                        cell_scales<Element>(block, cell), table, measure);
   });
+  mesh.ties.condense(measure.data(), 1);
 }
 
 void add_side_measure(const LocalMesh& mesh, const std::vector<LocalSide>& sides, std::vector<double>& measure) {
@@ -68,6 +69,7 @@ void add_side_measure(const LocalMesh& mesh, const std::vector<LocalSide>& sides
       add<Element, Element::dimension + 1>(mesh, side.nodes.data(), scale, table, measure);
     });
   }
+  mesh.ties.condense(measure.data(), 1);
 }
 
 }  // namespace ixos

@@ -1,5 +1,5 @@
 /// Integrals of the shape functions, which turn a load per volume or area into nodal forces. Those of an axisymmetric
-/// mesh are over the whole body, volumes [L0^3] and areas [L0^2].
+/// mesh are over the whole body, volumes [L0^3] and areas [L0^2]. Masters take over those of tied nodes.
 #pragma once
 #include <vector>
 

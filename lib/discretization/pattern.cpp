@@ -9,10 +9,24 @@
 namespace ixos {
 
 Pattern::Pattern(const LocalMesh& mesh, const std::vector<std::vector<int>>& stencils)
-    : dimension_(mesh.dimension), row_start_{0} {
+    : dimension_(mesh.dimension), ties_(mesh.ties), row_start_{0} {
   std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(mesh.owned_nodes));
   for (int node = 0; node < mesh.owned_nodes; ++node) neighbours[row_index(node)].push_back(node);
+  std::vector<std::vector<int>> with_tied;  // cells and stencils of tied nodes
+  std::vector<int> followed;                // the nodes of one, in place of tied ones their masters
   const auto couple = [&](const int* nodes, int count) {
+    if (std::any_of(nodes, nodes + count, [&](int node) { return ties_.is_tied(node); })) {
+      with_tied.emplace_back(nodes, nodes + count);
+      followed.clear();
+      for (int a = 0; a < count; ++a)
+        if (!ties_.is_tied(nodes[a]))
+          followed.push_back(nodes[a]);
+        else
+          for (const NodeTies::Share* s = ties_.begin(nodes[a]); s != ties_.end(nodes[a]); ++s)
+            followed.push_back(s->master);
+      nodes = followed.data();
+      count = static_cast<int>(followed.size());
+    }
     for (int a = 0; a < count; ++a)
       if (nodes[a] < mesh.owned_nodes)
         neighbours[row_index(nodes[a])].insert(neighbours[row_index(nodes[a])].end(), nodes, nodes + count);
@@ -28,6 +42,11 @@ Pattern::Pattern(const LocalMesh& mesh, const std::vector<std::vector<int>>& ste
     columns_.insert(columns_.end(), row.begin(), row.end());
     row_start_.push_back(static_cast<int>(columns_.size()));
   }
+  if (ties_.empty()) return;
+  const auto own_stride = [this](int row) { return stride(row); };
+  tied_ = TiedPairs(with_tied, ties_, rows(), dimension_, static_cast<int>(matrix_values()), own_stride);
+  tied_.find_targets(
+      ties_, [this](int row, int column) { return offset(row, column); }, own_stride);
 }
 
 /// Returns the index of the pair of an owned row, -1 if the nodes are not coupled.
@@ -38,21 +57,26 @@ int Pattern::find(int row, int column) const {
   return found == end || *found != column ? -1 : static_cast<int>(found - columns_.begin());
 }
 
-int Pattern::pair(int row, int column) const {
-  if (row >= rows()) return -1;
-  const int found = find(row, column);
+namespace {
+
+int checked(int found) {
   if (found < 0) throw std::logic_error("the nodes of a pair are not coupled");
   return found;
 }
+
+}  // namespace
+
+int Pattern::pair(int row, int column) const { return row >= rows() ? -1 : checked(find(row, column)); }
 
 int Pattern::offset_of(int row, int pair) const {
   const int first = row_start_[row_index(row)];
   return dimension_ * dimension_ * first + dimension_ * (pair - first);
 }
 
-int Pattern::offset(int row, int column) const { return row >= rows() ? -1 : offset_of(row, pair(row, column)); }
+int Pattern::offset(int row, int column) const { return has_row(row) ? checked(coupled_offset(row, column)) : -1; }
 
 int Pattern::coupled_offset(int row, int column) const {
+  if (ties_.is_tied(row) || ties_.is_tied(column)) return tied_.offset(row, column);
   if (row >= rows()) return -1;
   const int found = find(row, column);
   return found < 0 ? -1 : offset_of(row, found);
@@ -84,6 +108,14 @@ Teuchos::RCP<CrsMatrix> Pattern::create_matrix(const Teuchos::RCP<const Map>& ro
     auto graph = Teuchos::rcp(new CrsGraph(row_map, space.local_map(), starts, columns));
     graph->fillComplete(space.owned_map(), space.owned_map());
     graph_ = graph;
+  }
+  if (!ties_.empty()) {  // the matrix sees the first values only, and keeps the memory of all
+    using Values = CrsMatrix::local_matrix_device_type::values_type::non_const_type;
+    const Values all("values", values());
+    auto shared = Teuchos::rcp(
+        new CrsMatrix(graph_, Values(Kokkos::subview(all, std::make_pair(std::size_t{0}, matrix_values())))));
+    shared->fillComplete(space.owned_map(), space.owned_map());
+    return shared;
   }
   auto matrix = Teuchos::rcp(new CrsMatrix(graph_));
   matrix->fillComplete(space.owned_map(), space.owned_map());

@@ -23,8 +23,7 @@ void set_values(const Model& model, const TangentWeights& weights, const Place& 
 
 void set_semi_discrete_tangent(const Model& model, const TangentWeights& weights, const Place& at, CrsMatrix& matrix) {
   const auto local = matrix.getLocalMatrixHost();
-  const auto d = static_cast<std::size_t>(model.mesh().dimension);
-  if (local.values.extent(0) != static_cast<std::size_t>(model.pattern().pairs()) * d * d)
+  if (local.values.extent(0) != model.pattern().matrix_values())
     throw std::logic_error("the operator is of another version of the discretization; create another one");
   set_values(model, weights, at, local.values.data());
 }

@@ -220,12 +220,12 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<con
 }
 
 template <std::size_t D>
-std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int owned_nodes) {
+std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, const LocalMesh& mesh) {
   std::vector<char> result;
   for (const SurfacePatch<D>& patch : surface.patches) {
     const auto end = patch.nodes.begin() + static_cast<std::ptrdiff_t>(patch.count);
     result.push_back(std::any_of(patch.nodes.begin(), end,
-                                 [&](int a) { return surface.nodes[static_cast<std::size_t>(a)] < owned_nodes; })
+                                 [&](int a) { return mesh.has_row(surface.nodes[static_cast<std::size_t>(a)]); })
                          ? 1
                          : 0);
   }
@@ -233,17 +233,17 @@ std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int o
 }
 
 template <std::size_t D>
-std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_nodes) {
+std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, const LocalMesh& mesh) {
   const std::vector<int>& nodes = surfaces.primary.nodes;
-  if (std::any_of(nodes.begin(), nodes.end(), [&](int node) { return node < owned_nodes; }))
+  if (std::any_of(nodes.begin(), nodes.end(), [&](int node) { return mesh.has_row(node); }))
     return std::vector<char>(surfaces.secondary.patches.size(), 1);
-  return patches_with_own_nodes(surfaces.secondary, owned_nodes);
+  return patches_with_own_nodes(surfaces.secondary, mesh);
 }
 
-template std::vector<char> patches_with_own_nodes(const SurfacePatches<2>&, int);
-template std::vector<char> patches_with_own_nodes(const SurfacePatches<3>&, int);
-template std::vector<char> acting_patches(const PairSurfaces<2>&, int);
-template std::vector<char> acting_patches(const PairSurfaces<3>&, int);
+template std::vector<char> patches_with_own_nodes(const SurfacePatches<2>&, const LocalMesh&);
+template std::vector<char> patches_with_own_nodes(const SurfacePatches<3>&, const LocalMesh&);
+template std::vector<char> acting_patches(const PairSurfaces<2>&, const LocalMesh&);
+template std::vector<char> acting_patches(const PairSurfaces<3>&, const LocalMesh&);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&, double,
                                                                const PairOverlap<2>&, double);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&, double,

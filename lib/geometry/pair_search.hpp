@@ -22,14 +22,14 @@ struct PairPlaces {
   bool is_finite() const;
 };
 
-/// Returns, by secondary patch, whether forces between its points and the primary surface act on owned local nodes,
-/// those below `owned_nodes`: all of them if a primary node is owned.
+/// Returns, by secondary patch, whether forces between its points and the primary surface act on nodes with a row on
+/// this rank, see LocalMesh::has_row(): all of them if a primary node has one.
 template <std::size_t D>
-std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_nodes);
+std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, const LocalMesh& mesh);
 
-/// Returns, by patch, whether one of its nodes is an owned local node.
+/// Returns, by patch, whether one of its nodes has a row on this rank.
 template <std::size_t D>
-std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int owned_nodes);
+std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, const LocalMesh& mesh);
 
 /// The overlaps on which a law acts that is defined at every gap: they may be deeper than its range.
 template <std::size_t D>

@@ -151,6 +151,11 @@ SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<Lo
   const SideGrid grid(std::move(faces), x, name, numbers);
   const bool is_linear = sides.empty() || sides.front().nodes.size() == 4;
   const bool smooth = smoothing != Smoothing::None && is_linear;
+  if (smooth && std::any_of(surface.nodes.begin(), surface.nodes.end(), [&](int node) { return mesh.is_tied(node); }))
+    throw InputError(
+        fmt::format("the surface \"{}\" has hanging nodes, where cells of two sizes meet: curved patches do not close "
+                    "there. Use Smoothing \"None\", or quadratic cells, whose own curved sides close",
+                    name));
   std::optional<SplineFaces> splines;
   if (smooth && smoothing == Smoothing::Spline) splines.emplace(grid);
   surface.through_nodes = !splines;

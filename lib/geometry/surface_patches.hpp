@@ -33,7 +33,8 @@ struct SurfacePatches {
 
 /// Returns the patches of sides. Those of linear cells are joined as `smoothing` says; quadratic sides, and enriched
 /// ones of Lagrange's kind, keep their own shape, whose normal jumps between them. Nodes on tied edges are left out.
-/// Throws InputError with `name` if a side is of another kind (Q1CH), if sides are of several kinds, if more than two
+/// Throws InputError with `name` if a side is of another kind (Q1CH), if sides are of several kinds, if linear sides in
+/// space are smoothed and have tied nodes, if more than two
 /// sides meet in a corner in the plane or in an edge in space, if neighbours in space have opposite directions, or if a
 /// spline in space would have patches of more than SurfacePatch<3>::most nodes.
 template <std::size_t D>

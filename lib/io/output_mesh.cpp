@@ -73,7 +73,7 @@ std::vector<std::pair<int, double>> point_of(const LocalBlock& block, int cell, 
 OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<std::size_t>(local.nodes()), -1) {
   mesh.dimension = local.dimension;
   description.ranks = ranks;
-  description.global_nodes = local.global_nodes;
+  description.global_nodes = local.global_nodes + local.global_tied;
   int cell_offset = 0;
   for (const LocalBlock& block : local.blocks) {
     const int parts = pieces(block.type);
@@ -131,7 +131,7 @@ void OutputMesh::add_cell(const LocalMesh& local, const LocalBlock& block, int c
     return;
   }
   // Numbers beyond those of all nodes.
-  int id = static_cast<int>(local.global_nodes) + numbers_per_piece(local) * (first_id - 1);
+  int id = static_cast<int>(local.global_nodes + local.global_tied) + numbers_per_piece(local) * (first_id - 1);
   const bool solid = local.dimension == 3;
   const auto divided = static_cast<std::size_t>(cell_info(block.type).pieces);
   const std::size_t order = is_quadratic(block.type) ? 2 : 1;

@@ -12,6 +12,8 @@ std::vector<int> connected_parts(const Mesh& mesh) {
       for (int a = 1; a < all; ++a)
         sets.join(block.nodes[cell_entry(cell, all, 0)], block.nodes[cell_entry(cell, all, a)]);
   }
+  for (const Tie& tie : mesh.ties)
+    for (const int master : tie.masters) sets.join(tie.node, master);
   std::vector<int> parts(static_cast<std::size_t>(mesh.nodes()));
   for (int node = 0; node < mesh.nodes(); ++node) parts[static_cast<std::size_t>(node)] = sets.of(node);
   return parts;

@@ -8,6 +8,7 @@
 #include "mesh/level_width.hpp"
 #include "mesh/meridian.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/tied_nodes.hpp"
 
 namespace ixos {
 namespace {
@@ -19,24 +20,45 @@ std::size_t index_of(const std::string& name, const std::vector<std::string>& na
 }
 
 /// Numbers the nodes so that each rank's are consecutive, in the order of the mesh within a rank.
-std::vector<long long> number_by_rank(const std::vector<int>& owner, int ranks) {
+/// Tied nodes get the numbers behind all others.
+std::vector<long long> number_by_rank(const std::vector<int>& owner, const std::vector<const Tie*>& tie, int ranks) {
   std::vector<long long> next(static_cast<std::size_t>(ranks) + 1, 0);
-  for (int rank : owner) ++next[static_cast<std::size_t>(rank) + 1];
+  for (std::size_t node = 0; node < owner.size(); ++node)
+    if (tie[node] == nullptr) ++next[static_cast<std::size_t>(owner[node]) + 1];
   for (std::size_t rank = 1; rank < next.size(); ++rank) next[rank] += next[rank - 1];
-  std::vector<long long> number(owner.size());
-  for (std::size_t node = 0; node < owner.size(); ++node) number[node] = next[static_cast<std::size_t>(owner[node])]++;
+  std::vector<long long> number(owner.size(), -1);
+  for (std::size_t node = 0; node < owner.size(); ++node)
+    if (tie[node] == nullptr) number[node] = next[static_cast<std::size_t>(owner[node])]++;
+  long long behind = next.back();
+  for (std::size_t node = 0; node < owner.size(); ++node)
+    if (tie[node] != nullptr) number[node] = behind++;
   return number;
 }
 
+/// Returns each node's tie, null if it has none.
+std::vector<const Tie*> ties_of_nodes(const Mesh& mesh, const std::vector<Tie>& ties) {
+  std::vector<const Tie*> result(static_cast<std::size_t>(mesh.nodes()), nullptr);
+  for (const Tie& tie : ties) result[static_cast<std::size_t>(tie.node)] = &tie;
+  return result;
+}
+
+/// Returns whether the rank owns one of a node's masters, or the node if it is not tied.
+bool touches(const Tie* tie, int node, const std::vector<int>& owner, int rank) {
+  const auto own = [&](int n) { return owner[static_cast<std::size_t>(n)] == rank; };
+  return tie == nullptr ? own(node) : std::any_of(tie->masters.begin(), tie->masters.end(), own);
+}
+
 /// Returns, for each block, which cells touch a node of this rank.
-std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector<int>& owner, int rank) {
+std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector<int>& owner,
+                                             const std::vector<const Tie*>& tie, int rank) {
   std::vector<std::vector<int>> result;
   for (const ElementBlock& block : mesh.blocks) {
     const int n = nodes_per_cell(block.type);
     result.emplace_back();
     for (int cell = 0; cell < block.cells(); ++cell) {
       const int* nodes = &block.nodes[cell_entry(cell, n)];
-      if (std::any_of(nodes, nodes + n, [&](int node) { return owner[static_cast<std::size_t>(node)] == rank; }))
+      if (std::any_of(nodes, nodes + n,
+                      [&](int node) { return touches(tie[static_cast<std::size_t>(node)], node, owner, rank); }))
         result.back().push_back(cell);
     }
   }
@@ -44,6 +66,12 @@ std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector
 }
 
 }  // namespace
+
+bool LocalMesh::has_row(int node) const {
+  if (!is_tied(node)) return node < owned_nodes;
+  return std::any_of(ties.begin(node), ties.end(node),
+                     [this](const NodeTies::Share& share) { return share.master < owned_nodes; });
+}
 
 std::size_t LocalMesh::side_set(const std::string& name) const { return index_of(name, side_set_names, "side set"); }
 
@@ -60,10 +88,15 @@ std::vector<std::size_t> LocalMesh::blocks_named(const std::string& name) const 
   return found;
 }
 
-LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks,
+LocalMesh localize(const Mesh& mesh, const std::vector<int>& given_owner, int rank, int ranks,
                    const std::vector<std::string>& whole) {
-  const auto number = number_by_rank(node_owner, ranks);
-  const auto cells = touching_cells(mesh, node_owner, rank);
+  const std::vector<Tie> ties = resolved_ties(mesh);
+  const auto tie = ties_of_nodes(mesh, ties);
+  std::vector<int> node_owner = given_owner;
+  for (const Tie& own : ties)
+    node_owner[static_cast<std::size_t>(own.node)] = given_owner[static_cast<std::size_t>(own.masters.front())];
+  const auto number = number_by_rank(node_owner, tie, ranks);
+  const auto cells = touching_cells(mesh, node_owner, tie, rank);
 
   LocalMesh local;
   local.dimension = mesh.dimension;
@@ -72,28 +105,37 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
   local.linear_nodes = mesh.linear_nodes;
   local.plain_nodes = mesh.plain_nodes;
   local.level_width = mean_level_width(mesh);
-  local.global_nodes = mesh.nodes();
+  local.global_nodes = mesh.nodes() - static_cast<int>(mesh.ties.size());
+  local.global_tied = static_cast<long long>(mesh.ties.size());
   local.global_cells = mesh.cells();
   for (int node = 0; node < mesh.nodes(); ++node)
-    if (node_owner[static_cast<std::size_t>(node)] == rank) local.original_ids.push_back(node);
+    if (node_owner[static_cast<std::size_t>(node)] == rank && tie[static_cast<std::size_t>(node)] == nullptr)
+      local.original_ids.push_back(node);
   local.owned_nodes = static_cast<int>(local.original_ids.size());
-  std::vector<int> ghosts;
+  std::vector<int> ghosts, tied;
+  const auto see = [&](int node) {
+    const Tie* const own = tie[static_cast<std::size_t>(node)];
+    if (own != nullptr) tied.push_back(node);
+    const std::vector<int> itself{node};
+    for (const int free : own != nullptr ? own->masters : itself)
+      if (node_owner[static_cast<std::size_t>(free)] != rank) ghosts.push_back(free);
+  };
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const int n = nodes_per_cell(mesh.blocks[b].type);
     for (int cell : cells[b])
-      for (int a = 0; a < n; ++a) {
-        const int node = mesh.blocks[b].nodes[cell_entry(cell, n, a)];
-        if (node_owner[static_cast<std::size_t>(node)] != rank) ghosts.push_back(node);
-      }
+      for (int a = 0; a < n; ++a) see(mesh.blocks[b].nodes[cell_entry(cell, n, a)]);
   }
   for (const std::string& name : whole)
     for (const Side& side : side_set_named(mesh, name).sides)
-      for (const int node : nodes_of_side(mesh, side))
-        if (node_owner[static_cast<std::size_t>(node)] != rank) ghosts.push_back(node);
+      for (const int node : nodes_of_side(mesh, side)) see(node);
   std::sort(ghosts.begin(), ghosts.end(),
             [&](int a, int b) { return number[static_cast<std::size_t>(a)] < number[static_cast<std::size_t>(b)]; });
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
   local.original_ids.insert(local.original_ids.end(), ghosts.begin(), ghosts.end());
+  std::sort(tied.begin(), tied.end());
+  tied.erase(std::unique(tied.begin(), tied.end()), tied.end());
+  local.ties = NodeTies(static_cast<int>(local.original_ids.size()));
+  local.original_ids.insert(local.original_ids.end(), tied.begin(), tied.end());
 
   std::vector<int> to_local(static_cast<std::size_t>(mesh.nodes()), -1);
   const auto dim = static_cast<std::size_t>(mesh.dimension);
@@ -103,6 +145,14 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
     local.global_ids.push_back(number[node]);
     for (std::size_t d = 0; d < dim; ++d) local.coordinates.push_back(mesh.coordinates[node * dim + d]);
     if (!mesh.derivative_of.empty()) local.derivative.push_back(mesh.derivative_of[node] >= 0 ? 1 : 0);
+  }
+
+  for (const int node : tied) {
+    const Tie& own = *tie[static_cast<std::size_t>(node)];
+    std::vector<NodeTies::Share> shares;
+    for (std::size_t k = 0; k < own.masters.size(); ++k)
+      shares.push_back({to_local[static_cast<std::size_t>(own.masters[k])], own.weights[k]});
+    local.ties.add(shares);
   }
 
   std::vector<std::vector<int>> local_cell;  // per block: number of the cell here, or -1

@@ -7,6 +7,7 @@
 
 #include "base/tpetra.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/node_ties.hpp"
 
 namespace ixos {
 
@@ -36,10 +37,14 @@ struct LocalBlock {
 /// A rank's owned nodes, then one layer of ghosts: the other nodes of every cell that touches an owned node. A rank
 /// assembles only the rows of its owned nodes, and needs no cell of another rank for that. The nodes of each rank have
 /// consecutive global numbers. A cell belongs to the rank that owns its first node.
+///
+/// Tied nodes come last. They have no unknowns, and belong to the rank of their first master; a cell touches what its
+/// tied nodes follow, and all that they follow is local.
 struct LocalMesh {
   int dimension = 2;
   int owned_nodes = 0;
-  std::vector<long long> global_ids;  ///< per local node; consecutive over the ranks
+  std::vector<long long> global_ids;  ///< per local node; consecutive over the ranks, then tied nodes
+  NodeTies ties;                      ///< of the last local nodes
   std::vector<int> original_ids;      ///< per local node; the number in the Mesh
   /// Per local node: the id that the program gave it in a DistributedMesh; empty for a part of a Mesh.
   std::vector<long long> program_ids;
@@ -58,11 +63,17 @@ struct LocalMesh {
   bool axisymmetric = false;                ///< see Mesh
   double largest_radius = 0;                ///< of the nodes of all ranks, if the mesh is axisymmetric [L0]
   double level_width = 1e300;               ///< mean_level_width() of the whole mesh, if it was known
-  long long global_nodes = 0;
+  long long global_nodes = 0;               ///< without those that are tied
+  long long global_tied = 0;
   long long global_cells = 0;
   std::shared_ptr<const LocalRefinement> refinement;  ///< null, or the coarse cells for methods of several levels
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
+  bool is_tied(int node) const { return ties.is_tied(node); }
+  /// Returns whether this rank counts the node, so that one rank does.
+  bool owns(int node) const { return (is_tied(node) ? ties.begin(node)->master : node) < owned_nodes; }
+  /// Returns whether the rank assembles forces on the node: it owns it, or one of its masters.
+  bool has_row(int node) const;
   /// Returns the dimension of the body: 3 if it is one of revolution.
   int body_dimension() const { return axisymmetric ? 3 : dimension; }
   bool is_derivative(std::size_t node) const { return !derivative.empty() && derivative[node] != 0; }
@@ -97,6 +108,7 @@ LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const
 
 /// Extracts rank `rank`'s part of the mesh. `whole`: side sets of which every rank gets all sides, with their nodes as
 /// ghosts: the surfaces of pairs, see SurfacePair. Throws InputError if one does not exist.
+/// A tied node's owner plays no part.
 LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks,
                    const std::vector<std::string>& whole = {});
 

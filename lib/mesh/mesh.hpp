@@ -7,6 +7,7 @@
 
 #include "fem/cell_type.hpp"
 #include "fem/enriched_cell.hpp"
+#include "mesh/tie.hpp"
 
 namespace ixos {
 
@@ -58,6 +59,11 @@ struct Mesh {
   std::vector<ElementBlock> blocks;
   std::vector<SideSet> side_sets;
   std::vector<NodeSet> node_sets;
+  std::vector<Tie> ties;  ///< masters may be tied themselves, see resolved_ties()
+  /// Edges of cells with a corner of finer ones in the middle, as both ends and the middle; and sides inside the mesh
+  /// that one cell alone has, because its neighbours' are finer or coarser: see refine().
+  std::vector<std::array<int, 3>> hanging_edges;
+  std::vector<Side> hanging_sides;
 
   std::vector<std::string> notes;  ///< what a file holds beside the mesh and Ixos left out, in sentences for the user
 

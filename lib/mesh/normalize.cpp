@@ -52,6 +52,12 @@ std::vector<int> drop_unused_nodes(Mesh& mesh) {
     for (int& node : nodes) node = number[static_cast<std::size_t>(node)];
   };
   for (ElementBlock& block : mesh.blocks) renumber(block.nodes);
+  for (Tie& tie : mesh.ties) {
+    tie.node = number[static_cast<std::size_t>(tie.node)];
+    renumber(tie.masters);
+  }
+  for (auto& edge : mesh.hanging_edges)
+    for (int& node : edge) node = number[static_cast<std::size_t>(node)];
   for (NodeSet& set : mesh.node_sets) {
     renumber(set.nodes);
     set.nodes.erase(std::remove(set.nodes.begin(), set.nodes.end(), -1), set.nodes.end());

@@ -49,7 +49,8 @@ class RefinementFinder {
   bool contains(int cell, int node) const { return corner_of(cell, node) < static_cast<int>(n_); }
 
   bool collect_cells() {
-    if (mesh_.axisymmetric || mesh_.plain_nodes >= 0 || !mesh_.derivative_of.empty()) return false;
+    if (mesh_.axisymmetric || mesh_.plain_nodes >= 0 || !mesh_.ties.empty() || !mesh_.derivative_of.empty())
+      return false;
     for (const ElementBlock& block : mesh_.blocks) {
       if (block.cells() > 0 && block.type != type()) return false;
       for (int cell = 0; cell < block.cells(); ++cell)

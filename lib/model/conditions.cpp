@@ -8,6 +8,7 @@
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "discretization/nodal_measure.hpp"
+#include "model/tied_sets.hpp"
 
 namespace ixos {
 namespace {
@@ -25,6 +26,7 @@ void add_load(Model& model, const NodalNumbers& measure, const std::vector<doubl
   std::vector<double> forces(measure.size() * d);
   for (std::size_t a = 0; a < measure.size(); ++a)
     for (std::size_t i = 0; i < d; ++i) forces[a * d + i] = measure[a] * vector[i];
+  model.space().condense(forces.data());
   model.loads().add(std::move(forces), std::move(history));
 }
 
@@ -55,7 +57,8 @@ NodalNumbers volume_of_nodes(const Model& model, const LocalBlock& part) {
   lumped.add_diagonal(1, diagonal.data());
   model.space().update_ghosts(diagonal.data());
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
-  for (std::size_t a = 0; a < volume.size(); ++a) volume[a] = diagonal[a * d];
+  for (std::size_t a = 0; a < volume.size(); ++a)
+    if (!model.mesh().is_tied(static_cast<int>(a))) volume[a] = diagonal[a * d];
   return volume;
 }
 
@@ -81,9 +84,11 @@ void prescribe(Model& model, const std::string& node_set, const std::string& com
   const std::size_t set = mesh.node_set(node_set);
   const std::vector<int> numbers = components_of(components, mesh.dimension);
   model.check_open();
+  refuse_half_tied(model, node_set);
   const auto for_each = [&](const auto& visit) {
     for (const int i : numbers)
       for (const int node : mesh.node_sets[set]) {
+        if (mesh.is_tied(node)) continue;
         // A derivative along the boundary does not change if all points move alike.
         const bool derivative = mesh.is_derivative(static_cast<std::size_t>(node));
         visit(node, i, derivative ? 0.0 : 1.0, derivative ? nullptr : motion);

@@ -9,6 +9,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "model/tied_sets.hpp"
 
 namespace ixos {
 namespace {
@@ -61,7 +62,7 @@ struct Carriers {
 Carriers carriers(const Model& model, std::size_t set) {
   Carriers result;
   for (const int node : model.mesh().node_sets[set]) {
-    if (model.mesh().is_added(static_cast<std::size_t>(node))) continue;
+    if (model.mesh().is_added(static_cast<std::size_t>(node)) || model.mesh().is_tied(node)) continue;
     result.nodes.push_back(node);
     if (node < model.mesh().owned_nodes) ++result.count;
   }
@@ -105,9 +106,10 @@ void add_driving_loads(Model& model, const DrivenEnds& ends, const RigidMotion& 
 void grip_rigidly(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion) {
   const std::size_t set = checked_set(model, name, node_set, motion);
   const LocalMesh& mesh = model.mesh();
+  refuse_half_tied(model, node_set);
   together<InputError>(model.space().comm(), [&] {
     for (const int node : mesh.node_sets[set])
-      for (int i = 0; i < mesh.dimension; ++i) try {
+      for (int i = 0; i < mesh.dimension && !mesh.is_tied(node); ++i) try {
           model.constraints().check(node * mesh.dimension + i, shares_of(mesh, motion, node, i));
         } catch (const InputError& error) {
           throw InputError(fmt::format("{}: component {} of node {} of the mesh", error.what(), "xyz"[i],
@@ -115,7 +117,7 @@ void grip_rigidly(Model& model, const std::string& name, const std::string& node
         }
   });
   for (const int node : mesh.node_sets[set])
-    for (int i = 0; i < mesh.dimension; ++i)
+    for (int i = 0; i < mesh.dimension && !mesh.is_tied(node); ++i)
       model.constraints().add(node * mesh.dimension + i, shares_of(mesh, motion, node, i));
   model.add_grip({name, set, motion}, nullptr, nullptr);
 }

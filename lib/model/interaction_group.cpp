@@ -19,6 +19,7 @@ std::vector<double> InteractionGroup::force(const Counts& counts) const {
   std::vector<double> f(static_cast<std::size_t>(space_.local()), 0.0);
   for (const Interaction* term : terms_)
     if (counts(*term)) term->add_force(segment_at(at_), end_rule(), f.data());
+  space_.condense(f.data());
   return f;
 }
 
@@ -137,6 +138,7 @@ std::vector<double> InteractionGroup::over_measure(std::vector<double> force) co
 std::vector<double> InteractionGroup::pressure() const { return mean(SurfaceNumber::Pressure); }
 
 void InteractionGroup::divide_by_measure(std::vector<double>& sums) const {
+  space_.ties().condense(sums.data(), 1);
   const std::vector<double> area = measure();
   for (std::size_t node = 0; node < sums.size(); ++node)
     sums[node] = area[node] > 0 && !mesh_.is_derivative(node) ? sums[node] / area[node] : 0.0;
@@ -146,6 +148,7 @@ std::vector<double> InteractionGroup::measure() const {
   std::vector<double> measure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
   CountedSides counted;
   for (const Interaction* term : terms_) term->reports().add_nodal_measure(counted, measure.data());
+  space_.ties().condense(measure.data(), 1);
   return measure;
 }
 

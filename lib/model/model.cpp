@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "material/elastic_law.hpp"
 #include "model/axis.hpp"
@@ -26,6 +27,7 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
     if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))
       throw InputError("block \"" + block.name + "\" has no material; add a list that names this Block");
   add_branches();
+  if (mass_) together<InputError>(comm, [&] { mass_->check_lumped(); });
   hold_axis(this->mesh(), constraints_);
   find_scales();
 }
@@ -83,6 +85,22 @@ void Model::add_rate_term(std::unique_ptr<RateTerm> term, const std::string& nam
   add_term(std::move(term), name);
 }
 
+void Model::set_prescribed(double time, double* u, double* v, double* a) const {
+  if (constraints_.empty()) return;
+  constraints_.set(time, u, v, a);
+  for (double* const array : {u, v, a})
+    if (array != nullptr) space().interpolate_tied(array);
+}
+
+void Model::close() const {
+  for (const int dof : constraints_.dofs())
+    if (mesh().is_tied(dof / mesh().dimension))
+      throw std::logic_error("a tied node is constrained; constrain the nodes that it follows");
+  closed_ = true;
+  constraints_.close();
+  loads_.close();
+}
+
 void Model::check_open() const {
   if (closed_)
     throw std::logic_error(
@@ -137,6 +155,7 @@ void Model::find_scales() {
     if (body.viscoelasticity != nullptr)
       body.viscoelasticity->add_diagonal({rest.data(), 0, &histories}, stiffness.data());
   }
+  space().ties().condense_diagonal(stiffness.data(), static_cast<std::size_t>(mesh().dimension));
   if (mass_) mass_->add_diagonal(1, inertia.data());
   double sums[3] = {0, 0, static_cast<double>(space().owned())};
   double stiffest = 0;

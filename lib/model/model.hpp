@@ -89,12 +89,8 @@ class Model {
   /// Ends the adding of interactions, constraints and loads: what is made of the model has arrays and solvers for those
   /// that it has. Integrators and evaluators call this, also of a model that several share. The functions of
   /// model/conditions.hpp and model/surface_interaction.hpp, Constraints::add() and Loads::add() then throw
-  /// std::logic_error.
-  void close() const {
-    closed_ = true;
-    constraints_.close();
-    loads_.close();
-  }
+  /// std::logic_error. Throws it if a tied node is constrained, whose masters move it.
+  void close() const;
   /// Throws std::logic_error after close().
   void check_open() const;
 
@@ -116,6 +112,8 @@ class Model {
   void do_without_matrices();
   const Constraints& constraints() const { return constraints_; }
   const Loads& loads() const { return loads_; }
+  /// Puts what constraints prescribe at `time` into local arrays, see Constraints::set(), and interpolates tied nodes.
+  void set_prescribed(double time, double* u, double* v, double* a) const;
   /// Returns the materials that the model was made with.
   const std::vector<Material>& materials() const { return materials_; }
   const std::vector<Body>& bodies() const { return bodies_; }

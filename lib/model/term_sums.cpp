@@ -14,6 +14,7 @@ bool TermSums::force(Part part, const Segment& segment, const Rule& rule, double
   std::fill_n(f, model_.space().local(), 0.0);
   bool admissible = true;
   for_each(part, [&](const ForceTerm& term) { admissible = term.add_force(segment, rule, f) && admissible; });
+  model_.space().condense(f);
   return admissible;
 }
 
@@ -34,6 +35,7 @@ bool TermSums::force_and_keep(Part part, const Segment& segment, const Rule& rul
     const bool good = kept[i] ? term.add_force_and_keep(segment, rule, *kept[i], f) : term.add_force(segment, rule, f);
     admissible = admissible && good;
   }
+  model_.space().condense(f);
   return admissible;
 }
 
@@ -72,11 +74,13 @@ std::vector<LinearPart> TermSums::linear_parts(double mass, double damping) cons
 bool TermSums::add_row_sums(Part part, const Segment& segment, double* sums) const {
   bool admissible = true;
   for_each(part, [&](const ForceTerm& term) { admissible = term.add_row_sums(segment, sums) && admissible; });
+  condense_row_sums(sums);
   return admissible;
 }
 
 void TermSums::add_rate_force(const Place& at, double* f) const {
   for (const RateTerm* term : model_.rate_terms()) term->add_force(at, f);
+  model_.space().condense(f);
 }
 
 void TermSums::add_rate_tangent(const Place& at, double* values) const {
@@ -91,6 +95,7 @@ double TermSums::rate_potential(const Place& at) const {
 
 void TermSums::add_rate_force_at(double factor, const double* u, const double* v, double* f) const {
   for (const RateTerm* term : model_.rate_terms()) term->add_force_at(factor, u, v, f);
+  model_.space().condense(f);
 }
 
 void TermSums::add_rate_tangent_at(double by_velocity, double by_displacement, const double* u, const double* v,
@@ -116,6 +121,12 @@ std::vector<double> TermSums::rate_diagonal(double factor) const {
 
 void TermSums::add_rate_row_sums(const double* u, double* sums) const {
   for (const RateTerm* term : model_.rate_terms()) term->add_row_sums(u, sums);
+  condense_row_sums(sums);
+}
+
+void TermSums::condense_row_sums(double* sums) const {
+  const NodeTies& ties = model_.space().ties();
+  ties.condense_magnitudes(sums, static_cast<std::size_t>(model_.mesh().dimension));
 }
 
 double TermSums::potential(Part part, const Rule& rule, const Place& at) const {

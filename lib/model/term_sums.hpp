@@ -31,7 +31,8 @@ class TermSums {
   std::vector<std::unique_ptr<TangentAction>> actions(Part part) const;
   /// Returns, for the elastic term of each block, its share of mass M + damping C.
   std::vector<LinearPart> linear_parts(double mass, double damping) const;
-  /// See ForceTerm::add_row_sums.
+  /// See ForceTerm::add_row_sums. Rows of masters get those of tied nodes too; the magnitudes of a tied column's
+  /// weights count as 1, see StableStep.
   bool add_row_sums(Part part, const Segment& segment, double* sums) const;
 
   /// Call the RateTerm functions of these names for all rate terms. Without rate terms they do nothing.
@@ -65,6 +66,7 @@ class TermSums {
   double obstacle_work(const Segment& segment, const Rule& rule) const;
 
  private:
+  void condense_row_sums(double* sums) const;
   template <class Visit>
   void for_each(Part part, const Visit& visit) const;
 

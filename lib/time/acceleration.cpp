@@ -42,7 +42,7 @@ bool Acceleration::solve(const Place& at, std::vector<double>& a) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(model_.space().owned()); ++i)
     if (!std::isfinite(a[i])) worst = 1;
   model_.space().update_ghosts(a.data());
-  model_.constraints().set(time, nullptr, nullptr, a.data());
+  model_.set_prescribed(time, nullptr, nullptr, a.data());
   return model_.space().maximum(worst) == 0;
 }
 
@@ -52,7 +52,7 @@ bool Acceleration::solve_consistent(double time, std::vector<double>& a) {
   if (!model_.constraints().empty()) {
     // M_ff a_f = ... - M_fp a_p, a_p the motion's.
     std::vector<double> product(owned);
-    model_.constraints().set(time, nullptr, nullptr, a.data());
+    model_.set_prescribed(time, nullptr, nullptr, a.data());
     model_.mass()->multiply(a.data(), product.data());
     for (std::size_t i = 0; i < owned; ++i) rhs_values[i] -= product[i];
     for (int dof : model_.constraints().dofs()) {

@@ -115,7 +115,7 @@ void Integrator::begin_at(std::vector<double> u, std::vector<double> v, double t
   start.time = time;
   start.histories = model_.create_histories();
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
-  model_.constraints().set(time, start.u.data(), start.v.data(), nullptr);
+  model_.set_prescribed(time, start.u.data(), start.v.data(), nullptr);
   model_.initialize(known_states(states_, 1).front(), start.histories);
 }
 
@@ -142,7 +142,7 @@ void Integrator::resume(const State& state) {
   start = state;  // a copy, see begin_at()
   follow_slots();
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
-  model_.constraints().set(start.time, start.u.data(), start.v.data(), nullptr);
+  model_.set_prescribed(start.time, start.u.data(), start.v.data(), nullptr);
   find_forces();
 }
 
@@ -238,13 +238,13 @@ bool Integrator::take_explicit_step(double dt, std::string& reason) {
   for (std::size_t i = 0; i < size; ++i) end.v[i] = known_[i] / dt;
   const double time = start.time + dt;
   end.time = time;
-  model_.constraints().set(time, end.u.data(), end.v.data(), nullptr);
+  model_.set_prescribed(time, end.u.data(), end.v.data(), nullptr);
   if (!balance_.solve({end.u.data(), time, &start.histories, &memories_, end.v.data()}, end.a)) {
     reason = "in an explicit step a gap closes, an element inverts or a number overflows";
     return false;
   }
   for (std::size_t i = 0; i < size; ++i) end.v[i] = start.v[i] + dt / 2 * (start.a[i] + end.a[i]);
-  model_.constraints().set(time, nullptr, end.v.data(), nullptr);
+  model_.set_prescribed(time, nullptr, end.v.data(), nullptr);
   if (has_external_) balance_.record_forces(end);
   return true;
 }
@@ -318,6 +318,9 @@ void Integrator::accept() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to accept");
   const double dt = std::exchange(attempted_dt_, 0.0);
   State& start = states_.front();
+  // What a restart interpolates is the same to the bit then.
+  for (std::vector<double>* const array : {&states_.back().u, &states_.back().v, &states_.back().a})
+    if (!array->empty()) model_.space().interpolate_tied(array->data());
   // Before the terms accept: the force of the step is that of the history at its start.
   const double moved = has_moved_obstacles(model_) ? work_of_obstacles(model_, table_, states_, dt, memories_) : 0;
   const ModelWork work =

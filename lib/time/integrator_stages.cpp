@@ -134,7 +134,7 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   if (table_.closing == Closing::Kinematic) {
     derive(row.acceleration, dt * dt, end.a);
     if (has_exact_rates(table_))
-      model_.constraints().set(solver(stage).problem.time(), nullptr, end.v.data(), end.a.data());
+      model_.set_prescribed(solver(stage).problem.time(), nullptr, end.v.data(), end.a.data());
   }
   end.u = std::move(u);
   end.time = solver(stage).problem.time();

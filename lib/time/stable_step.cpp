@@ -16,6 +16,8 @@ constexpr int elastic_interval = 10;
 
 StableStep::StableStep(const Model& model, double safety) : model_(model), safety_(safety) {
   const auto local = static_cast<std::size_t>(model.space().local());
+  const double weights = model.space().ties().largest_magnitude();
+  column_bound_ = model.mesh().global_tied > 0 ? model.space().maximum(weights) : 1;
   elastic_.resize(local);
   sums_.resize(local);
   ahead_.resize(local);
@@ -29,14 +31,14 @@ void StableStep::look_at(const Place& at) {
   if (!terms.has_rates()) return;
   std::fill(sums_.begin(), sums_.end(), 0.0);
   terms.add_rate_row_sums(at.u, sums_.data());
-  damping_ = model_.space().maximum(model_.mass()->largest_quotient(sums_.data()));
+  damping_ = model_.space().maximum(model_.mass()->largest_quotient(sums_.data())) * column_bound_;
 }
 
 /// Returns the longest stable step [T0]; 0 if a gap is not positive.
 double StableStep::limit(const Place& at) const {
   sums_ = elastic_;
   if (!TermSums(model_).add_row_sums(Part::Interaction, segment_at(at), sums_.data())) return 0;
-  const double w2 = model_.mass()->largest_quotient(sums_.data());
+  const double w2 = model_.mass()->largest_quotient(sums_.data()) * column_bound_;
   return 2 / (std::sqrt(w2 + damping_ * damping_) + damping_);
 }
 

@@ -30,6 +30,7 @@ class StableStep {
 
   const Model& model_;
   double safety_;
+  double column_bound_;          ///< largest sum of magnitudes of a tied node's weights
   double damping_ = 0;           ///< c [1/T0]
   int age_ = 0;                  ///< steps since the elastic row sums
   std::vector<double> elastic_;  ///< row sums, local

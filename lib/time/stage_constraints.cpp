@@ -47,8 +47,7 @@ void StageProblem::constrain_residual(double* out) {
       linearize();
       matrix_free_->multiply_constrained_columns(bracket_.data(), product_.data());
     } else {
-      const auto d = static_cast<std::size_t>(model_.mesh().dimension);
-      values_.resize(static_cast<std::size_t>(model_.pattern().pairs()) * d * d);
+      values_.resize(model_.pattern().values());
       assemble(values_.data());
       tangent_at_ = {u_, arm_, relaxation_};
       model_.constrained_entries().multiply(values_.data(), bracket_.data(), product_.data());

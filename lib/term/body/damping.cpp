@@ -63,6 +63,7 @@ void Damping::evaluate_row(const Place& at) const {
   evaluate(stage.unknown, at.u, stage.from, stage.known, row_);
   if (stage.driven == nullptr) return;
   for (int dof : *stage.driven) row_[static_cast<std::size_t>(dof)] = stage.dt * stage.driven_velocity[dof];
+  pattern_.ties().interpolate(row_.data(), dimension_);
 }
 
 void Damping::add_force(const Place& at, double* f) const {
@@ -124,6 +125,7 @@ void Damping::multiply_add(double factor, const double* x, double* y) const {
   if (stiffnesses_.empty()) return;
   std::fill(product_.begin(), product_.end(), 0.0);
   for (const StiffnessPart& part : stiffnesses_) part.action->add_product(x, product_.data());
+  pattern_.ties().condense(product_.data(), dimension_);
   for (std::size_t i = 0; i < static_cast<std::size_t>(pattern_.rows()) * dimension_; ++i) y[i] += factor * product_[i];
 }
 
@@ -161,8 +163,9 @@ void Damping::add_to(double factor, double* values) const {
 
 const std::vector<double>& Damping::matrix() const {
   if (!matrix_.empty()) return matrix_;
-  matrix_.assign(static_cast<std::size_t>(pattern_.pairs()) * dimension_ * dimension_, 0.0);
+  matrix_.assign(pattern_.values(), 0.0);
   assemble(1.0, matrix_.data());
+  pattern_.condense(matrix_.data());
   return matrix_;
 }
 

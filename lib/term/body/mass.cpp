@@ -1,5 +1,7 @@
 #include "term/body/mass.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -30,6 +32,11 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
   const ShapeTable<Element> table(mass_rule<Element>(), block.tied);
+  const auto for_each_share = [&pattern](int node, const auto& visit) {
+    if (!pattern.ties().is_tied(node)) return visit(node, 1.0);
+    for (const NodeTies::Share* s = pattern.ties().begin(node); s != pattern.ties().end(node); ++s)
+      visit(s->master, s->weight);
+  };
   for (int cell = 0; cell < block.cells(); ++cell) {
     const int* nodes = &block.nodes[cell_entry(cell, N)];
     const auto scale = cell_scales<Element>(block, cell);
@@ -44,15 +51,21 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
     }
     const bool scaled = lumped && is_quadratic(block.type);
     const double scale_of_diagonal = scaled ? diagonal_scale(element) : 1;
-    for (std::size_t a = 0; a < N; ++a) {
-      if (nodes[a] >= pattern.rows()) continue;
-      if (scaled) {
-        pairs[static_cast<std::size_t>(nodes[a])] += scale_of_diagonal * element[a][a];
-        continue;
-      }
-      for (std::size_t b = 0; b < N; ++b)
-        pairs[static_cast<std::size_t>(lumped ? nodes[a] : pattern.pair(nodes[a], nodes[b]))] += element[a][b];
-    }
+    for (std::size_t a = 0; a < N; ++a)
+      for_each_share(nodes[a], [&](int row, double weight) {
+        if (row >= pattern.rows()) return;
+        if (scaled) {
+          pairs[static_cast<std::size_t>(row)] += weight * scale_of_diagonal * element[a][a];
+          return;
+        }
+        for (std::size_t b = 0; b < N; ++b)
+          if (lumped)
+            pairs[static_cast<std::size_t>(row)] += weight * element[a][b];
+          else
+            for_each_share(nodes[b], [&](int column, double share) {
+              pairs[static_cast<std::size_t>(pattern.pair(row, column))] += weight * share * element[a][b];
+            });
+      });
   }
 }
 
@@ -90,6 +103,16 @@ void Mass::add_block(const LocalBlock& block, double density) {
                      "\": a Hermite contact element (Q1CH) has no lumped mass, which explicit schemes need");
   bodies_.push_back({&block, density});
   integrate(block, density);
+}
+
+void Mass::check_lumped() const {
+  if (!lumped_ || pattern_.ties().empty()) return;
+  for (int node = 0; node < pattern_.rows(); ++node)
+    if (!(pairs_[static_cast<std::size_t>(node)] > 0))
+      throw InputError(fmt::format(
+          "node {} has no positive lumped mass, because of the nodes that are tied to it with negative weights; use a "
+          "scheme with a consistent mass",
+          mesh_.message_number(static_cast<std::size_t>(node))));
 }
 
 void Mass::place() {
@@ -167,7 +190,7 @@ void set_rows(const Pattern& pattern, const std::vector<double>& pairs, double f
 void Mass::set(double factor, double* values) const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
   if (lumped_) {
-    std::fill_n(values, static_cast<std::size_t>(pattern_.pairs()) * d * d, 0.0);
+    std::fill_n(values, pattern_.matrix_values(), 0.0);
     add_to(factor, values);
   } else if (d == 2) {
     set_rows<2>(pattern_, pairs_, factor, values);

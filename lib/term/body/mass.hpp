@@ -16,6 +16,8 @@ enum class Inertia { Consistent, Lumped, None };
 /// own diagonal instead, scaled to its mass (Hinton, Rock and Zienkiewicz 1976): on parallelepipeds these are the row
 /// sums, which are Simpson's weights; on curved cells and rings at the axis, where row sums may vanish, they stay
 /// positive. Units E0 T0^2 L0^(D-2).
+///
+/// Masters take over the mass of what follows them: with tied nodes it is C^T M C (see NodeTies), lumped its row sums.
 class Mass {
  public:
   Mass(const LocalMesh& mesh, const Pattern& pattern, bool lumped = false);
@@ -26,6 +28,8 @@ class Mass {
   /// parallelepipeds. Throws InputError if the mass of Hermite elements is to be lumped.
   /// The block must outlive the mass.
   void add_block(const LocalBlock& block, double density);
+  /// Throws InputError, on this rank, if ties leave an owned node no lumped mass, for negative weights.
+  void check_lumped() const;
   /// Computes the mass anew in a pattern that has changed.
   void place();
 

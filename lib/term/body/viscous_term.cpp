@@ -36,6 +36,7 @@ class ViscousTerm final : public Viscosity {
  public:
   ViscousTerm(const LocalMesh& mesh, const LocalBlock& block, std::unique_ptr<Cells> cells, const Hooke& law)
       : law_(law),
+        mesh_(mesh),
         block_(block),
         owned_dofs_(static_cast<std::size_t>(mesh.owned_nodes) * Cells::D),
         local_dofs_(static_cast<std::size_t>(mesh.nodes()) * Cells::D),
@@ -62,6 +63,7 @@ class ViscousTerm final : public Viscosity {
     if (start.start_weight == 0) return;
     stage.kept.assign(local_dofs_, 0.0);
     add_force_at(start.start_weight, stage.from, start.known.front().v, stage.kept.data());
+    mesh_.ties.condense(stage.kept.data(), Cells::D);
   }
 
   void add_force(const Place& at, double* f) const override {
@@ -355,7 +357,8 @@ class ViscousTerm final : public Viscosity {
       for (std::size_t j = 0; j < G; ++j) sum[i][j] += factor * a[i][j];
   }
 
-  Hooke law_;                ///< of rates of strain [E0 T0]
+  Hooke law_;  ///< of rates of strain [E0 T0]
+  const LocalMesh& mesh_;
   const LocalBlock& block_;  ///< of the mesh
   std::size_t owned_dofs_, local_dofs_;
   std::unique_ptr<Cells> cells_;

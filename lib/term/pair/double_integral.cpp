@@ -21,7 +21,7 @@ class DoubleIntegral final : public Interaction, public Coupling, public Surface
         distance_(std::move(distance)),
         pairs_(surfaces_, kernel, points),
         nodes_(surfaces_.secondary.nodes),
-        acts_(acting_patches(surfaces_, mesh.owned_nodes)),
+        acts_(acting_patches(surfaces_, mesh)),
         scratch_(coordinates_.size()) {
     nodes_.insert(nodes_.end(), surfaces_.primary.nodes.begin(), surfaces_.primary.nodes.end());
   }

@@ -60,8 +60,8 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       share_(options.share),
       reacts_(options.reacts),
       overlap_(overlap_of<D>(*law_, options)),
-      owns_secondary_(patches_with_own_nodes(surfaces_.secondary, mesh.owned_nodes)),
-      owns_primary_(patches_with_own_nodes(surfaces_.primary, mesh.owned_nodes)),
+      owns_secondary_(patches_with_own_nodes(surfaces_.secondary, mesh)),
+      owns_primary_(patches_with_own_nodes(surfaces_.primary, mesh)),
       search_(surfaces_, law_->equilibrium_gap(), overlap_) {
   const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(points_on_a_side(options.points));
   per_patch_ = on_a_patch.size();

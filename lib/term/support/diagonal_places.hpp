@@ -20,7 +20,7 @@ inline std::vector<std::size_t> diagonal_places(const std::vector<int>& dofs, co
   std::vector<std::size_t> places;
   for (const int dof : dofs) {
     const int node = dof / pattern.dimension(), i = dof % pattern.dimension();
-    places.push_back(node < pattern.rows()
+    places.push_back(pattern.has_row(node)
                          ? static_cast<std::size_t>(pattern.offset(node, node) + (pattern.stride(node) + 1) * i)
                          : no_place);
   }

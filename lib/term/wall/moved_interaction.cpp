@@ -167,17 +167,16 @@ bool MovedInteraction::has_time_derivative(const Rule& rule) const {
 /// With f = R f_0(u seen): a node at rest moves in the frame with minus the velocity of the obstacle there, and R
 /// turns.
 void MovedInteraction::add_time_derivative(const Segment& segment, const Rule& asked, double* f) const {
-  const auto d = static_cast<std::size_t>(pattern_->dimension());
   std::vector<double> tangent;
   at_points(segment, fixed_->followed(asked), [&](const RulePoint& point, const RigidPose& pose) {
     const Rule here_only = end_rule(point.weight);
     fixed_->add_force(here(segment), here_only, force_.data());
     frame_.add_turning_rate(pose, force_, f);
     frame_.clear(force_);
-    tangent.assign(static_cast<std::size_t>(pattern_->pairs()) * d * d, 0.0);
+    tangent.assign(pattern_->values(), 0.0);
     fixed_->add_tangent(here(segment), here_only, Tangent::Exact, tangent.data());
     frame_.see_velocity(pose, to_, change_);
-    add_matrix_product(*pattern_, tangent.data(), -1, change_.data(), force_.data());
+    frame_.subtract_product(*pattern_, tangent, change_, force_);
     frame_.add_moved(pose, pose.angle, force_, f);
   });
 }

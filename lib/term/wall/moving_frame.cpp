@@ -42,7 +42,7 @@ MovingFrame::MovingFrame(const RigidMotion& motion, const LocalMesh& mesh, const
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   for (const int number : numbers) {
     const auto n = static_cast<std::size_t>(number);
-    nodes_.push_back({n * d_, number < mesh.owned_nodes, mesh.is_derivative(n), {}});
+    nodes_.push_back({n * d_, mesh.owns(number), mesh.is_derivative(n), {}});
     nodes_.back().place = vector_at(nodes_.back(), mesh.coordinates.data());
   }
   place(pattern);
@@ -53,17 +53,12 @@ void MovingFrame::place(const Pattern& pattern) {
   if (!turns()) return;
   std::vector<int> numbers;
   for (const Node& node : nodes_) numbers.push_back(static_cast<int>(node.first / d_));
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (!nodes_[k].owned) continue;
-    const int row = numbers[k];
-    const auto r = static_cast<std::size_t>(row);
-    for (int entry = pattern.row_start()[r]; entry < pattern.row_start()[r + 1]; ++entry) {
-      const int column = pattern.columns()[static_cast<std::size_t>(entry)];
-      if (!std::binary_search(numbers.begin(), numbers.end(), column)) continue;
-      blocks_.push_back(
-          {static_cast<std::size_t>(pattern.offset(row, column)), static_cast<std::size_t>(pattern.stride(row))});
-    }
-  }
+  for (const int row : numbers)
+    if (pattern.has_row(row))
+      pattern.for_each_block(row, [&](int column, int offset) {
+        if (std::binary_search(numbers.begin(), numbers.end(), column))
+          blocks_.push_back({static_cast<std::size_t>(offset), static_cast<std::size_t>(pattern.stride(row))});
+      });
 }
 
 Triple MovingFrame::vector_at(const Node& node, const double* values) const {
@@ -164,6 +159,21 @@ void MovingFrame::add_moved_matrix(const RigidPose& pose, const Pattern& pattern
             for (std::size_t l = 0; l < d; ++l)
               values[first + i * stride + j] += r[i][k] * seen[first + k * stride + l] * r[j][l];
     }
+  }
+}
+
+void MovingFrame::subtract_product(const Pattern& pattern, const std::vector<double>& values,
+                                   const std::vector<double>& x, std::vector<double>& y) const {
+  for (const Node& node : nodes_) {
+    const int row = static_cast<int>(node.first / d_);
+    if (!pattern.has_row(row)) continue;
+    const auto stride = static_cast<std::size_t>(pattern.stride(row));
+    pattern.for_each_block(row, [&](int column, int offset) {
+      for (std::size_t i = 0; i < d_; ++i)
+        for (std::size_t j = 0; j < d_; ++j)
+          y[node.first + i] -=
+              values[static_cast<std::size_t>(offset) + stride * i + j] * x[static_cast<std::size_t>(column) * d_ + j];
+    });
   }
 }
 

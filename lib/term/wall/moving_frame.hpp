@@ -43,6 +43,9 @@ class MovingFrame {
   /// Adds R V R^T for the blocks V of all pairs of nodes in the frame, in the layout of a pattern.
   static void add_moved_matrix(const RigidPose& pose, const Pattern& pattern, const std::vector<double>& seen,
                                double* values);
+  /// Subtracts K x from y for the blocks K of all pairs of the nodes; x and y are local arrays, x zero elsewhere.
+  void subtract_product(const Pattern& pattern, const std::vector<double>& values, const std::vector<double>& x,
+                        std::vector<double>& y) const;
   /// Returns the point of space at place y of the frame.
   static std::array<double, 3> from_frame(const RigidPose& pose, const std::array<double, 3>& y);
 

@@ -1,0 +1,87 @@
+#include "discretization/tied_pairs.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace ixos {
+
+TiedPairs::TiedPairs(const std::vector<std::vector<int>>& stencils, const NodeTies& ties, int rows, int dimension,
+                     int first, const std::function<int(int)>& stride)
+    : dimension_(dimension), first_value_(first), end_(first) {
+  const auto has_own_master = [&](int node) {
+    return std::any_of(ties.begin(node), ties.end(node),
+                       [rows](const NodeTies::Share& share) { return share.master < rows; });
+  };
+  std::map<int, std::set<int>> columns;
+  for (const std::vector<int>& stencil : stencils)
+    for (const int row : stencil)
+      if (ties.is_tied(row)) {
+        if (has_own_master(row)) columns[row].insert(stencil.begin(), stencil.end());
+      } else if (row < rows) {
+        for (const int column : stencil)
+          if (ties.is_tied(column)) columns[row].insert(column);
+      }
+  for (const auto& [node, own] : columns) {
+    Row row{node, end_, 0, {own.begin(), own.end()}};
+    const int blocks = static_cast<int>(own.size());
+    row.stride = ties.is_tied(node) ? dimension * blocks : stride(node);
+    const int in_a_line = row.stride / dimension;
+    end_ += (blocks + in_a_line - 1) / in_a_line * row.stride * dimension;
+    rows_.push_back(std::move(row));
+  }
+}
+
+const TiedPairs::Row* TiedPairs::row_of(int node) const {
+  const auto found =
+      std::lower_bound(rows_.begin(), rows_.end(), node, [](const Row& row, int wanted) { return row.node < wanted; });
+  return found == rows_.end() || found->node != node ? nullptr : &*found;
+}
+
+/// An owned row's blocks stand in lines as long as the row is in the matrix.
+int TiedPairs::offset_in(const Row& row, std::size_t number) const {
+  const int in_a_line = row.stride / dimension_, k = static_cast<int>(number);
+  return row.first + k / in_a_line * row.stride * dimension_ + k % in_a_line * dimension_;
+}
+
+int TiedPairs::offset(int row, int column) const {
+  const Row* const found = row_of(row);
+  if (found == nullptr) return -1;
+  const auto place = std::lower_bound(found->columns.begin(), found->columns.end(), column);
+  if (place == found->columns.end() || *place != column) return -1;
+  return offset_in(*found, static_cast<std::size_t>(place - found->columns.begin()));
+}
+
+const std::vector<int>& TiedPairs::columns(int row) const {
+  static const std::vector<int> none;
+  const Row* const found = row_of(row);
+  return found == nullptr ? none : found->columns;
+}
+
+void TiedPairs::find_targets(const NodeTies& ties, const std::function<int(int, int)>& offset,
+                             const std::function<int(int)>& stride) {
+  const auto shares = [&](int node) {
+    return ties.is_tied(node) ? std::vector<NodeTies::Share>(ties.begin(node), ties.end(node))
+                              : std::vector<NodeTies::Share>{{node, 1.0}};
+  };
+  for (const Row& row : rows_)
+    for (std::size_t k = 0; k < row.columns.size(); ++k)
+      for (const NodeTies::Share& left : shares(row.node))
+        for (const NodeTies::Share& right : shares(row.columns[k])) {
+          const int to = offset(left.master, right.master);
+          if (to >= 0)
+            targets_.push_back({offset_in(row, k), row.stride, to, stride(left.master), left.weight * right.weight});
+        }
+}
+
+void TiedPairs::condense(double* values) const {
+  for (const Target& target : targets_)
+    for (int i = 0; i < dimension_; ++i) {
+      const double* const from = values + target.from + target.from_stride * i;
+      double* const to = values + target.to + target.to_stride * i;
+      for (int j = 0; j < dimension_; ++j) to[j] += target.weight * from[j];
+    }
+  std::fill(values + first_value_, values + end_, 0.0);
+}
+
+}  // namespace ixos
