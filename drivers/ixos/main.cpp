@@ -57,7 +57,15 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
   });
   Teuchos::ParameterList complete = ixos::complete_scene(scene);
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), scene_folder(arguments));
-  ixos::on_first_rank(comm, [&] { ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name()); });
+  ixos::on_first_rank(comm, [&] {
+    ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name());
+    if (!mesh.ties.empty() && !arguments.quiet)
+      ixos::console::say(
+          "{} has {} nodes that hang on edges or faces of coarser cells. The file does not say so: a program that "
+          "reads "
+          "it takes these cells for unconnected.\n",
+          ixos::printable(arguments.mesh_file), mesh.ties.size());
+  });
   return 0;
 }
 

@@ -1,6 +1,7 @@
 #include "discretization/tied_pairs.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
 
@@ -77,8 +78,8 @@ void TiedPairs::find_targets(const NodeTies& ties, const std::function<int(int, 
 void TiedPairs::condense(double* values) const {
   for (const Target& target : targets_)
     for (int i = 0; i < dimension_; ++i) {
-      const double* const from = values + target.from + target.from_stride * i;
-      double* const to = values + target.to + target.to_stride * i;
+      const double* const from = values + target.from + std::ptrdiff_t{target.from_stride} * i;
+      double* const to = values + target.to + std::ptrdiff_t{target.to_stride} * i;
       for (int j = 0; j < dimension_; ++j) to[j] += target.weight * from[j];
     }
   std::fill(values + first_value_, values + end_, 0.0);

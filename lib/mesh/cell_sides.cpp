@@ -1,7 +1,9 @@
 #include "mesh/cell_sides.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
 #include "fem/cell_info.hpp"
@@ -98,10 +100,13 @@ EqualSides sides_with(const std::vector<CellSide>& sorted, const SideCorners& co
 
 std::vector<Side> boundary_sides(const Mesh& mesh) {
   const std::vector<CellSide> sides = sorted_sides(mesh);
+  const auto key = [](const Side& side) { return std::array{side.block, side.cell, side.side}; };
+  std::set<std::array<int, 3>> hanging;
+  for (const Side& side : mesh.hanging_sides) hanging.insert(key(side));
   std::vector<CellSide> outer;
   for (auto first = sides.begin(); first != sides.end();) {
     const auto next = std::upper_bound(first, sides.end(), *first);
-    if (next - first == 1) outer.push_back(*first);
+    if (next - first == 1 && hanging.count(key(first->side)) == 0) outer.push_back(*first);
     first = next;
   }
   std::sort(outer.begin(), outer.end(), [](const CellSide& a, const CellSide& b) {

@@ -49,7 +49,8 @@ std::vector<CellSide> sorted_sides(const Mesh& mesh);
 /// Returns the sides with these corners: none, one (on the boundary), or two.
 EqualSides sides_with(const std::vector<CellSide>& sorted, const SideCorners& corners);
 
-/// Returns the sides that only one cell has, in the order of the cells: the boundary of the mesh.
+/// Returns the sides that only one cell has, in the order of the cells, without Mesh::hanging_sides: the boundary of
+/// the mesh.
 std::vector<Side> boundary_sides(const Mesh& mesh);
 
 }  // namespace ixos

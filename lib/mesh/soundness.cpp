@@ -40,6 +40,23 @@ double size_of(const Mesh& mesh) {
   return *high - *low;
 }
 
+/// Joins coarse cells with the fine ones beside them: those that have both ends of an edge with those that have a node
+/// in its middle.
+void join_across_hanging_sides(const Mesh& mesh, DisjointSets& parts) {
+  if (mesh.hanging_edges.empty()) return;
+  std::map<int, std::vector<int>> cells;  // by node of such an edge
+  for (const auto& edge : mesh.hanging_edges)
+    for (const int node : edge) cells[node];
+  for_each_cell(mesh, [&](int cell, CellType type, const int* nodes) {
+    for (int a = 0; a < nodes_per_cell(corner_type(type)); ++a)
+      if (const auto own = cells.find(nodes[a]); own != cells.end()) own->second.push_back(cell);
+  });
+  for (const auto& [a, b, middle] : mesh.hanging_edges)
+    for (const int cell : cells[a])
+      if (std::binary_search(cells[b].begin(), cells[b].end(), cell) && !cells[middle].empty())
+        parts.join(cell, cells[middle].front());
+}
+
 struct Part {
   int cells = 0;
   int node = 0;    ///< one of them
@@ -116,6 +133,7 @@ std::vector<std::string> loose_parts(const Mesh& mesh, const std::vector<bool>& 
   const std::vector<CellSide> sides = sorted_sides(mesh);
   for (std::size_t i = 1; i < sides.size(); ++i)
     if (sides[i].corners == sides[i - 1].corners) parts.join(sides[i].cell, sides[i - 1].cell);
+  join_across_hanging_sides(mesh, parts);
 
   std::map<int, Part> found;
   std::vector<int> part_of_node(static_cast<std::size_t>(mesh.nodes()), -1);

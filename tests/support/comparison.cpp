@@ -10,7 +10,7 @@ namespace ixos::test {
 std::vector<double> gathered(const Model& model, const std::vector<double>& local) {
   const LocalMesh& mesh = model.mesh();
   const auto d = static_cast<std::size_t>(mesh.dimension);
-  std::vector<double> all(static_cast<std::size_t>(mesh.global_nodes) * d, 0.0);
+  std::vector<double> all(static_cast<std::size_t>(mesh.global_nodes + mesh.global_tied) * d, 0.0);
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes); ++node)
     for (std::size_t i = 0; i < d; ++i)
       all[static_cast<std::size_t>(mesh.original_ids[node]) * d + i] = local[node * d + i];

@@ -35,7 +35,9 @@ Edge edge_key(int a, int b);
 /// Returns the length of the straight line between an edge's nodes [L0]; the direction of the edge does not matter.
 double length(const Mesh& mesh, const Edge& edge);
 
-/// Returns the edges of a set of faces that also belong to a hexahedron without a face of the set there, by edge_key().
+/// Returns the edges of a set of faces that also belong to a hexahedron without a face of the set there, by edge_key(),
+/// those with hanging nodes, coarse and fine, and those on periodic sides: they keep the field of plain cells, which
+/// ties make continuous.
 std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set);
 
 /// Adds the nodes of Lagrange sides of that order (2 to 4), equally spaced on edges and faces, and returns them side by

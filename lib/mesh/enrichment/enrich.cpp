@@ -114,12 +114,8 @@ class BlockSplit {
     std::vector<ElementBlock> blocks;
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) split(mesh_.blocks[b], rich_[b], blocks);
     mesh_.blocks = std::move(blocks);
-    for (SideSet& set : mesh_.side_sets)
-      for (Side& side : set.sides) {
-        const Place& place = places_[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)];
-        const auto old = static_cast<std::size_t>(side.side);
-        side = {place.block, place.cell, place.turn < 0 ? side.side : turn(place.turn).side[old]};
-      }
+    for (SideSet& set : mesh_.side_sets) move(set.sides);
+    move(mesh_.hanging_sides);
   }
 
  private:
@@ -132,6 +128,14 @@ class BlockSplit {
     int side;           ///< the cell's contact side
     std::size_t index;  ///< its number in the set
   };
+
+  void move(std::vector<Side>& sides) const {
+    for (Side& side : sides) {
+      const Place& place = places_[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)];
+      const auto old = static_cast<std::size_t>(side.side);
+      side = {place.block, place.cell, place.turn < 0 ? side.side : turn(place.turn).side[old]};
+    }
+  }
 
   const Turn& turn(int side) const { return turns_[static_cast<std::size_t>(side)]; }
 
@@ -232,6 +236,10 @@ void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int
   const SideSet set = side_set_named(mesh, side_set);  // a copy: the mesh's own changes on the way
   if (fitting_element(mesh, set, element) == ContactElement::Q2C2) return;
   check(mesh, set);
+  if (element == ContactElement::Q1CH && !mesh.hanging_edges.empty())
+    throw InputError("side set \"" + side_set +
+                     "\": Hermite sides (Q1CH) are continued from cell to cell, which hanging nodes interrupt; choose "
+                     "Q1C2 or Q1C4, or leave the mesh as coarse as it is");
   if (mesh.plain_nodes < 0) mesh.plain_nodes = mesh.nodes();
   const CellType type = enriched_type(mesh.dimension, element);
   const std::vector<ExtraNodes> extra = add_nodes(mesh, set, element);

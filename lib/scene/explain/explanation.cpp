@@ -48,12 +48,13 @@ std::string branches_in_words(const Material& material) {
 std::string bodies(const Simulation& simulation) {
   const LocalMesh& mesh = simulation.model().mesh();
   std::string text =
-      fmt::format("Mesh: {} dimensions{}, {} nodes, {} cells, {} degrees of freedom, {} rank(s)\n", mesh.dimension,
+      fmt::format("Mesh: {} dimensions{}, {} nodes{}, {} cells, {} degrees of freedom, {} rank(s)\n", mesh.dimension,
                   mesh.axisymmetric     ? " (axisymmetric)"
                   : mesh.dimension == 2 ? " (plane strain)"
                                         : "",
-                  mesh.global_nodes, mesh.global_cells, simulation.model().space().global(),
-                  simulation.model().space().comm()->getSize());
+                  mesh.global_nodes + mesh.global_tied,
+                  mesh.global_tied > 0 ? fmt::format(" ({} of them tied to others)", mesh.global_tied) : "",
+                  mesh.global_cells, simulation.model().space().global(), simulation.model().space().comm()->getSize());
   const std::vector<SceneNode> parts = part_lists(SceneNode(simulation.parameters().sublist("Mesh"), "Mesh"));
   for (std::size_t k = 0; k < parts.size() && parts[k].path() != "Mesh"; ++k)
     text += fmt::format("{}{} ({}){}", k == 0 ? "Parts: " : "", parts[k].name(), parts[k].text("Type"),

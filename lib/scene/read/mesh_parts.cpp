@@ -11,6 +11,7 @@
 #include "mesh/merged_parts.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/tied_nodes.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
 #include "scene/read/mesh_map.hpp"
@@ -125,24 +126,48 @@ const Catalogue<MeshEntry>& part_meshes() {
   return catalogue;
 }
 
-Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order) {
-  const MeshEntry& chosen = catalogue.chosen(node);
-  Mesh mesh = [&] {
-    if (order < 2 || !chosen.make_quadratic) return catalogue.make(node);
-    const SceneNode own = node.sublist(chosen.name);
-    return at(own.path(), [&] { return chosen.make_quadratic(own); });
-  }();
-  apply_order_and_map(node, order, mesh);
-  return mesh;
-}
+namespace {
 
-void apply_order_and_map(const SceneNode& node, int order, Mesh& mesh) {
+void prepare(const SceneNode& node, int order, Mesh& mesh) {
   if (order == 2) raise_order(mesh);
   at(node.path(), [&] {
     require_one_order(mesh);
     require_shared_middles(mesh);
   });
+}
+
+void split_and_map(const SceneNode& node, int order, const std::vector<NamedRegion>& regions, Mesh& mesh) {
+  if (!regions.empty()) refine(mesh, regions, order);
   map_nodes(node.sublist("Map"), mesh);
+  place_tied_nodes(mesh);
+}
+
+int order_of(const Mesh& mesh) {
+  return std::any_of(mesh.blocks.begin(), mesh.blocks.end(), [](const auto& block) { return is_quadratic(block.type); })
+             ? 2
+             : 1;
+}
+
+}  // namespace
+
+Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order,
+                 const std::vector<NamedRegion>& regions) {
+  const MeshEntry& chosen = catalogue.chosen(node);
+  // Parts of a curved cell lie on a curve that its quadratic form knows.
+  const bool curved = chosen.make_quadratic && (order == 2 || !regions.empty());
+  Mesh mesh = [&] {
+    if (!curved) return catalogue.make(node);
+    const SceneNode own = node.sublist(chosen.name);
+    return at(own.path(), [&] { return chosen.make_quadratic(own); });
+  }();
+  prepare(node, order, mesh);
+  split_and_map(node, curved ? order : order_of(mesh), regions, mesh);
+  return mesh;
+}
+
+void apply_order_and_map(const SceneNode& node, int order, const std::vector<NamedRegion>& regions, Mesh& mesh) {
+  prepare(node, order, mesh);
+  split_and_map(node, order_of(mesh), regions, mesh);
 }
 
 std::vector<SceneNode> part_lists(const SceneNode& mesh) {

@@ -1,6 +1,7 @@
 /// Meshes whose parts are meshes of the catalogue themselves.
 #pragma once
 #include "mesh/generators/entry.hpp"
+#include "mesh/splitting/refine.hpp"
 
 namespace ixos {
 
@@ -14,12 +15,13 @@ MeshEntry parts_mesh();
 const Catalogue<MeshEntry>& part_meshes();
 
 /// Makes the mesh that a list chooses from a catalogue, of cells of that order: 1 leaves those of a file as they are.
-/// Applies the list's map. Throws InputError with the list path.
-Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order);
+/// Splits cells in the regions, and applies the list's map. Throws InputError with the list path.
+Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order,
+                 const std::vector<NamedRegion>& regions = {});
 
-/// Raises the order of a mesh's cells to 2 if `order` is, and applies the map of a list of the mesh. Throws InputError
-/// with the list path, also for cells that do not conform.
-void apply_order_and_map(const SceneNode& node, int order, Mesh& mesh);
+/// Raises the order of a mesh's cells to 2 if `order` is, splits cells in the regions, and applies the map of a list of
+/// the mesh. Throws InputError with the list path, also for cells that do not conform.
+void apply_order_and_map(const SceneNode& node, int order, const std::vector<NamedRegion>& regions, Mesh& mesh);
 
 /// Returns the lists that choose the meshes of the parts, or "Mesh" itself if it has no parts.
 std::vector<SceneNode> part_lists(const SceneNode& mesh);

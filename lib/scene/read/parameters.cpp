@@ -12,6 +12,7 @@
 #include "scene/read/interactions.hpp"
 #include "scene/read/materials.hpp"
 #include "scene/read/mesh_map.hpp"
+#include "scene/read/mesh_refinement.hpp"
 #include "scene/read/mesh_sets.hpp"
 #include "scene/read/newton_options.hpp"
 #include "scene/read/scene_mesh.hpp"
@@ -43,11 +44,30 @@ void add_mesh(List& list) {
            "and 27 in 3D; linear ones get nodes in the middle of their edges, faces and insides. In the Disk they "
            "follow the circle, other meshes keep their shape; the Map moves the new nodes, too.",
            between(1, 2));
+  declare_refinement(
+      list.sublist("Refine", false,
+                   "Places where cells are split before Map moves the nodes. The scene chooses the names "
+                   "of these lists. A cell is split that meets all that a list names; at least one of "
+                   "Lower, Upper, Sphere Radius and Side Set is needed. Neighbours differ by one level "
+                   "at most: further cells are split around the regions. Nodes of fine cells on edges "
+                   "and faces of coarse ones follow the nodes of these.")
+          .sublist(any_name));
   declare_map(list.sublist("Map", false,
                            "Formulas that move the nodes, for graded meshes and for shapes that no generator has. Sets "
                            "refer to the new places."));
   declare_set(list.sublist("Sets", false, "Additional sets, selected by region. The scene chooses their names.")
                   .sublist(any_name));
+  List& periodic = list.sublist("Periodic", false,
+                                "Pairs of sides that are one: a wave that leaves through the one comes in through the "
+                                "other. Both have the same mesh, and one is the other moved by a translation. The "
+                                "scene chooses the names of these lists.")
+                       .sublist(any_name);
+  periodic.set("Side Set", "", "Side set whose nodes follow those of the other one.");
+  periodic.set("Primary Side Set", "", "Side set that they follow.");
+  periodic.set("Tolerance", 0.0,
+               "Distance up to which a node may be off its partner's place [L0]. With 0, it is a thousandth of the "
+               "shortest edge of the mesh.",
+               at_least(0));
 }
 
 void add_condition(List& list) {

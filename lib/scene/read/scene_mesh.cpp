@@ -9,11 +9,13 @@
 
 #include "io/mesh_file.hpp"
 #include "mesh/generators/given.hpp"
+#include "mesh/periodic_sides.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/soundness.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "parameters/validation.hpp"
 #include "scene/read/mesh_parts.hpp"
+#include "scene/read/mesh_refinement.hpp"
 #include "scene/read/mesh_sets.hpp"
 #include "scene/read/obstacle_files.hpp"
 #include "scene/read/parameters.hpp"
@@ -42,6 +44,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 void finish(const SceneNode& node, Mesh& mesh) {
   at(node.path(), [&] { check_cells(mesh); });
   add_sets(node.sublist("Sets"), mesh);
+  for (const SceneNode& own : node.sublist("Periodic").sublists())
+    at(own.path(),
+       [&] { make_periodic(mesh, own.text("Side Set"), own.text("Primary Side Set"), own.number("Tolerance")); });
 }
 
 /// Looks for the file of the mesh of one body, if it has one.
@@ -64,7 +69,7 @@ void find_files(Teuchos::ParameterList& mesh, const std::string& scene_folder) {
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
   find_files(list, scene_folder);
   const SceneNode node(list, "Mesh");
-  Mesh mesh = mapped_mesh(meshes(), node, node.count(cell_order));
+  Mesh mesh = mapped_mesh(meshes(), node, node.count(cell_order), refined_regions(node.sublist("Refine")));
   mesh.axisymmetric = is_axisymmetric(list);
   finish(node, mesh);
   return mesh;
@@ -77,7 +82,7 @@ Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given) {
     refuse_repeated_cells(given);
   });
   const SceneNode node(list, "Mesh");
-  apply_order_and_map(node, node.count(cell_order), given);
+  apply_order_and_map(node, node.count(cell_order), refined_regions(node.sublist("Refine")), given);
   finish(node, given);
   return given;
 }

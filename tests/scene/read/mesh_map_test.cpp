@@ -19,8 +19,10 @@ namespace {
 /// The list "Mesh" of a box with all defaults.
 Teuchos::ParameterList box_list() {
   Teuchos::ParameterList list = scene_parameters().sublist("Mesh");
-  list.remove("Sets");
-  list.sublist("Sets");
+  for (const char* named : {"Sets", "Refine", "Periodic"}) {
+    list.remove(named);
+    list.sublist(named);
+  }
   list.set("Type", "Box");
   return list;
 }

@@ -18,8 +18,10 @@ namespace {
 /// The list "Mesh" with all defaults, of that type and without further sets.
 Teuchos::ParameterList mesh_list(const std::string& type) {
   Teuchos::ParameterList list = scene_parameters().sublist("Mesh");
-  list.remove("Sets");
-  list.sublist("Sets");
+  for (const char* named : {"Sets", "Refine", "Periodic"}) {
+    list.remove(named);
+    list.sublist(named);
+  }
   list.set("Type", type);
   return list;
 }

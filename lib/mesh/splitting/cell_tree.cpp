@@ -1,0 +1,255 @@
+#include "mesh/splitting/cell_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "fem/cell_info.hpp"
+#include "fem/corner_element.hpp"
+#include "fem/with_element.hpp"
+#include "mesh/enrichment/contact_nodes.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns the point of a cell at those reference coordinates.
+std::vector<double> point_in(const Mesh& mesh, const ElementBlock& block, int cell,
+                             const std::array<double, 3>& place) {
+  return with_element(block.type, [&](auto tag) {
+    using Element = typename decltype(tag)::type;
+    constexpr std::size_t D = Element::dimension;
+    std::array<double, D> xi;
+    std::copy_n(place.begin(), D, xi.begin());
+    std::array<double, Element::nodes> value;
+    std::array<std::array<double, D>, Element::nodes> gradient;
+    Element::evaluate(xi, value, gradient);
+    std::vector<double> point(D, 0.0);
+    for (std::size_t a = 0; a < value.size(); ++a) {
+      const auto node = static_cast<std::size_t>(block.nodes[cell_entry(cell, Element::nodes, static_cast<int>(a))]);
+      for (std::size_t i = 0; i < D; ++i) point[i] += value[a] * mesh.coordinates[node * D + i];
+    }
+    return point;
+  });
+}
+
+}  // namespace
+
+int corner_with(int bits) {
+  constexpr std::array<int, 8> corners{0, 1, 3, 2, 4, 5, 7, 6};
+  return corners[static_cast<std::size_t>(bits)];
+}
+
+CellTree::CellTree(Mesh& mesh)
+    : mesh_(mesh),
+      blocks_(mesh.blocks),
+      middles_(mesh.nodes()),
+      corner_(at(mesh.nodes()), 0),
+      edges_(at(mesh.dimension)) {
+  const int corners = 1 << mesh.dimension;
+  for (int axis = 0; axis < mesh.dimension; ++axis)
+    for (int bits = 0; bits < corners; ++bits)
+      if ((bits >> axis & 1) == 0) edges_[at(axis)].push_back({bits, bits | 1 << axis});
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementBlock& block = blocks_[b];
+    const int n = nodes_per_cell(block.type);
+    first_root_.push_back(roots_);
+    roots_ += block.cells();
+    for (int cell = 0; cell < block.cells(); ++cell) {
+      TreeCell own{static_cast<int>(b), cell, {}, {}, {-1, -1, -1}, {1, 1, 1}};
+      for (int bits = 0; bits < corners; ++bits) {
+        own.corners[at(bits)] = block.nodes[cell_entry(cell, n, corner_with(bits))];
+        corner_[at(own.corners[at(bits)])] = 1;
+      }
+      cells_.push_back(own);
+      if (is_quadratic(block.type)) name_middles(block, cell);
+    }
+  }
+}
+
+/// Names the nodes of a quadratic cell beside its corners.
+void CellTree::name_middles(const ElementBlock& block, int cell) {
+  const auto& pattern = corners_of_nodes(mesh_.dimension);
+  const int* nodes = &block.nodes[cell_entry(cell, nodes_per_cell(block.type))];
+  const auto bits_of = [](int corner) { return corner_with(corner); };
+  std::vector<int> by_bits(pattern.size() + 64, -1);
+  // Edges, then faces, then the inside: a middle of 2^k corners is that of two of 2^(k-1), along each of k axes.
+  const auto node_of = [&](std::vector<int> bits) {
+    std::sort(bits.begin(), bits.end());
+    for (std::size_t a = 0; a < pattern.size(); ++a) {
+      std::vector<int> own;
+      for (const int corner : pattern[a]) own.push_back(bits_of(corner));
+      std::sort(own.begin(), own.end());
+      if (own == bits) return nodes[a];
+    }
+    return -1;
+  };
+  for (std::size_t size = 2; size <= std::size_t{1} << mesh_.dimension; size *= 2)
+    for (std::size_t a = 0; a < pattern.size(); ++a) {
+      if (pattern[a].size() != size) continue;
+      for (int axis = 0; axis < mesh_.dimension; ++axis) {
+        std::vector<int> low, high;
+        for (const int corner : pattern[a]) (bits_of(corner) >> axis & 1 ? high : low).push_back(bits_of(corner));
+        if (low.size() == high.size()) middles_.set(node_of(low), node_of(high), nodes[a]);
+      }
+    }
+}
+
+std::vector<int> CellTree::leaves() const {
+  std::vector<int> result;
+  for (std::size_t k = 0; k < cells_.size(); ++k)
+    if (cells_[k].first_child < 0) result.push_back(static_cast<int>(k));
+  return result;
+}
+
+int CellTree::middle(const TreeCell& leaf, int a, int b, const std::array<double, 3>& place) {
+  const int found = middles_.find(a, b);
+  if (found >= 0) return found;
+  add_node(mesh_, point_in(mesh_, blocks_[at(leaf.block)], leaf.root, place), -1);
+  corner_.push_back(0);
+  return middles_.add(a, b);
+}
+
+void CellTree::bisect(int cell, int axis) {
+  const TreeCell whole = cells_[at(cell)];
+  TreeCell low = whole, high = whole;
+  const double half = (whole.lower[at(axis)] + whole.upper[at(axis)]) / 2;
+  low.upper[at(axis)] = high.lower[at(axis)] = half;
+  ++low.halvings[at(axis)];
+  ++high.halvings[at(axis)];
+  for (const auto& [left, right] : edges_[at(axis)]) {
+    std::array<double, 3> place{};
+    for (int k = 0; k < mesh_.dimension; ++k)
+      place[at(k)] = k == axis ? half : (left >> k & 1) != 0 ? whole.upper[at(k)] : whole.lower[at(k)];
+    const int node = middle(whole, whole.corners[at(left)], whole.corners[at(right)], place);
+    corner_[at(node)] = 1;
+    low.corners[at(right)] = high.corners[at(left)] = node;
+  }
+  cells_[at(cell)].first_child = static_cast<int>(cells_.size());
+  cells_.push_back(low);
+  cells_.push_back(high);
+}
+
+/// Halves a leaf along several axes at once.
+void CellTree::halve(int cell, const std::vector<int>& axes) {
+  std::vector<int> parts{cell};
+  for (const int axis : axes) {
+    std::vector<int> next;
+    for (const int part : parts) {
+      bisect(part, axis);
+      next.push_back(cells_[at(part)].first_child);
+      next.push_back(cells_[at(part)].first_child + 1);
+    }
+    parts = std::move(next);
+  }
+}
+
+/// Returns the axes along which a leaf has too few halvings, of those the ones with the fewest.
+std::vector<int> CellTree::wanted_axes(const TreeCell& cell, const std::vector<RegionSearch>& regions) {
+  const auto d = at(mesh_.dimension);
+  const CornerBox box = box_around(mesh_, {cell.corners.begin(), cell.corners.begin() + (1 << mesh_.dimension)});
+  std::array<int, 3> wanted{};
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (!regions[r].meets(box)) continue;
+    met_[r] = 1;
+    for (int axis = 0; axis < mesh_.dimension; ++axis) {
+      std::array<double, 3> direction{};
+      for (const auto& [left, right] : edges_[at(axis)])
+        for (std::size_t i = 0; i < d; ++i)
+          direction[i] += mesh_.coordinates[at(cell.corners[at(right)]) * d + i] -
+                          mesh_.coordinates[at(cell.corners[at(left)]) * d + i];
+      if (regions[r].splits_along(direction)) wanted[at(axis)] = std::max(wanted[at(axis)], regions[r].levels());
+    }
+  }
+  std::vector<int> axes;
+  int fewest = 1 << 20;
+  for (int axis = 0; axis < mesh_.dimension; ++axis)
+    if (cell.halvings[at(axis)] < wanted[at(axis)]) fewest = std::min(fewest, cell.halvings[at(axis)]);
+  for (int axis = 0; axis < mesh_.dimension; ++axis)
+    if (cell.halvings[at(axis)] < wanted[at(axis)] && cell.halvings[at(axis)] == fewest) axes.push_back(axis);
+  return axes;
+}
+
+bool CellTree::has_two_on_an_edge(const TreeCell& cell, int axis) {
+  for (const auto& [left, right] : edges_[at(axis)]) {
+    const int a = cell.corners[at(left)], b = cell.corners[at(right)], m = middles_.find(a, b);
+    if (m < 0 || !is_corner(m)) continue;
+    for (const int end : {a, b})
+      if (const int quarter = middles_.find(end, m); quarter >= 0 && is_corner(quarter)) return true;
+  }
+  return false;
+}
+
+/// Returns the edges of leaves that cross one of another leaf on a face: one of both must be halved, for no field of
+/// the one is a field of the other.
+std::set<std::array<int, 2>> CellTree::crossing_edges() {
+  const auto sorted = [](std::array<int, 2> edge) {
+    std::sort(edge.begin(), edge.end());
+    return edge;
+  };
+  std::set<std::array<int, 2>> all, crossing;
+  for (const int leaf : leaves())
+    for (int axis = 0; axis < mesh_.dimension; ++axis)
+      for (const auto& [left, right] : edges_[at(axis)])
+        all.insert(sorted({cells_[at(leaf)].corners[at(left)], cells_[at(leaf)].corners[at(right)]}));
+  for (const std::array<int, 2>& edge : all)
+    for (const std::array<int, 2>& other : middles_.crossing(edge[0], edge[1]))
+      if (all.count(sorted(other)) > 0) crossing.insert(edge);
+  return crossing;
+}
+
+bool CellTree::has_one_of(const std::set<std::array<int, 2>>& edges, const TreeCell& cell, int axis) const {
+  if (edges.empty()) return false;
+  return std::any_of(edges_[at(axis)].begin(), edges_[at(axis)].end(), [&](const std::array<int, 2>& edge) {
+    const int a = cell.corners[at(edge[0])], b = cell.corners[at(edge[1])];
+    return edges.count({std::min(a, b), std::max(a, b)}) > 0;
+  });
+}
+
+/// Splits leaves with an edge on which others have more than its middle. Returns whether there were any.
+bool CellTree::balance(bool in_all_directions) {
+  const auto crossed = in_all_directions ? std::set<std::array<int, 2>>() : crossing_edges();
+  bool changed = false;
+  for (const int leaf : leaves()) {
+    const TreeCell cell = cells_[at(leaf)];
+    std::vector<int> axes;
+    for (int axis = 0; axis < mesh_.dimension; ++axis)
+      if (has_two_on_an_edge(cell, axis) || has_one_of(crossed, cell, axis)) axes.push_back(axis);
+    if (axes.empty()) continue;
+    if (in_all_directions) {
+      axes.clear();
+      for (int axis = 0; axis < mesh_.dimension; ++axis) axes.push_back(axis);
+    }
+    halve(leaf, axes);
+    changed = true;
+  }
+  return changed;
+}
+
+void CellTree::split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most) {
+  const auto refuse_many = [&] {
+    if (static_cast<long long>(cells_.size()) > 2 * most)
+      throw InputError(
+          fmt::format("the refined mesh has more than {} cells; use fewer levels or smaller regions", most));
+  };
+  met_.assign(regions.size(), 0);
+  std::vector<int> open = leaves();
+  while (!open.empty()) {
+    const int cell = open.back();
+    open.pop_back();
+    const std::vector<int> axes = wanted_axes(cells_[at(cell)], regions);
+    if (axes.empty()) continue;
+    const auto first = static_cast<int>(cells_.size());
+    halve(cell, axes);
+    for (int part = first; part < static_cast<int>(cells_.size()); ++part)
+      if (cells_[at(part)].first_child < 0) open.push_back(part);
+    refuse_many();
+  }
+  for (std::size_t r = 0; r < regions.size(); ++r)
+    if (met_[r] == 0) throw InputError(names[r] + ": no cell of the mesh meets the region");
+  const bool in_all =
+      std::all_of(regions.begin(), regions.end(), [](const auto& region) { return region.splits_all(); });
+  while (balance(in_all)) refuse_many();
+}
+
+}  // namespace ixos

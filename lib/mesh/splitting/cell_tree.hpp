@@ -1,0 +1,87 @@
+/// Cells that are halved along their own axes, again and again.
+#pragma once
+#include <array>
+#include <set>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "mesh/splitting/middle_nodes.hpp"
+#include "mesh/splitting/refined_region.hpp"
+
+namespace ixos {
+
+/// A cell of a mesh, or a part of one. Corners stand in the order of bits: bit k tells the end along the cell's axis k.
+struct TreeCell {
+  int block, root;  ///< the cell of the mesh
+  std::array<int, 8> corners;
+  std::array<int, 3> halvings;         ///< along each axis
+  std::array<double, 3> lower, upper;  ///< its place in that cell, whose axes go from -1 to 1
+  int first_child = -1;                ///< two cells, one behind the other; -1: not split
+};
+
+/// Returns the corner of a linear cell, in Exodus order, with these bits. The permutation is its own inverse.
+int corner_with(int bits);
+
+/// The cells of a mesh as trees whose leaves are the cells of a finer one. New nodes stand where the shape functions of
+/// the mesh's cells put them; those of quadratic cells are the nodes of the halves as far as they go.
+class CellTree {
+ public:
+  /// Adds nodes to the mesh, whose cells are all linear or all quadratic, and which must outlive the tree.
+  explicit CellTree(Mesh& mesh);
+
+  /// Splits leaves until each has the halvings of the regions that it meets, no edge of a leaf more than one node of
+  /// others, in its middle, and no two cross each other on a face. Throws InputError if that makes more cells than
+  /// `most`, or a region meets no cell; `name` returns a region in words.
+  void split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most);
+
+  /// Calls visit(leaf) for the leaves of a cell of the mesh, in order.
+  template <class Visit>
+  void for_each_leaf(int block, int cell, const Visit& visit) const {
+    visit_leaves(root(block, cell), visit);
+  }
+  template <class Visit>
+  void for_each_leaf(const Visit& visit) const {
+    for (int k = 0; k < roots_; ++k) visit_leaves(k, visit);
+  }
+
+  int dimension() const { return mesh_.dimension; }
+  MiddleNodes& middles() { return middles_; }
+  /// Returns whether the node is a corner of a leaf, or was one before it was split.
+  bool is_corner(int node) const { return static_cast<std::size_t>(node) < corner_.size() && corner_[at(node)] != 0; }
+  /// Returns the node in the middle of two of a leaf's nodes, made if there is none. `place`: in the cell of the mesh.
+  int middle(const TreeCell& leaf, int a, int b, const std::array<double, 3>& place);
+  /// Returns the pairs of bits of a cell's edges along an axis.
+  const std::vector<std::array<int, 2>>& edges(int axis) const { return edges_[at(axis)]; }
+
+ private:
+  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  int root(int block, int cell) const { return first_root_[at(block)] + cell; }
+  template <class Visit>
+  void visit_leaves(int cell, const Visit& visit) const {
+    const TreeCell& own = cells_[at(cell)];
+    if (own.first_child < 0) return visit(own);
+    visit_leaves(own.first_child, visit);
+    visit_leaves(own.first_child + 1, visit);
+  }
+  void name_middles(const ElementBlock& block, int cell);
+  std::vector<int> leaves() const;
+  void halve(int cell, const std::vector<int>& axes);
+  void bisect(int cell, int axis);
+  std::vector<int> wanted_axes(const TreeCell& cell, const std::vector<RegionSearch>& regions);
+  bool balance(bool in_all_directions);
+  std::set<std::array<int, 2>> crossing_edges();
+  bool has_one_of(const std::set<std::array<int, 2>>& edges, const TreeCell& cell, int axis) const;
+  bool has_two_on_an_edge(const TreeCell& cell, int axis);
+
+  Mesh& mesh_;
+  const std::vector<ElementBlock> blocks_;  ///< as they were
+  std::vector<int> first_root_;             ///< by block
+  int roots_ = 0;
+  std::vector<TreeCell> cells_;
+  MiddleNodes middles_;
+  std::vector<char> corner_;  ///< by node
+  std::vector<std::vector<std::array<int, 2>>> edges_;
+  std::vector<char> met_;  ///< by region: some cell meets it
+};
+
+}  // namespace ixos

@@ -1,0 +1,119 @@
+#include "mesh/splitting/refined_region.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/geometry/core/cs.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mesh/cell_sides.hpp"
+#include "mesh/selection.hpp"
+
+namespace ixos {
+namespace {
+
+namespace bg = boost::geometry;
+using Point = bg::model::point<double, 3, bg::cs::cartesian>;
+using Box = bg::model::box<Point>;
+
+Box grown(const CornerBox& box, double by) {
+  return {{box.lower[0] - by, box.lower[1] - by, box.lower[2] - by},
+          {box.upper[0] + by, box.upper[1] + by, box.upper[2] + by}};
+}
+
+/// Returns the distance of two boxes.
+double distance(const CornerBox& a, const Box& b) {
+  const std::array<double, 3> lower{bg::get<bg::min_corner, 0>(b), bg::get<bg::min_corner, 1>(b),
+                                    bg::get<bg::min_corner, 2>(b)},
+      upper{bg::get<bg::max_corner, 0>(b), bg::get<bg::max_corner, 1>(b), bg::get<bg::max_corner, 2>(b)};
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double gap = std::max({0.0, lower[i] - a.upper[i], a.lower[i] - upper[i]});
+    sum += gap * gap;
+  }
+  return std::sqrt(sum);
+}
+
+void check_length(const char* name, const std::vector<double>& list, int dimension) {
+  if (!list.empty() && list.size() != static_cast<std::size_t>(dimension))
+    throw InputError(
+        fmt::format("{} has {} coordinates, but the mesh has {} dimensions", name, list.size(), dimension));
+}
+
+}  // namespace
+
+struct RegionSearch::Sides {
+  bg::index::rtree<Box, bg::index::rstar<16>> boxes;
+};
+
+CornerBox box_around(const Mesh& mesh, const std::vector<int>& nodes) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  CornerBox box;
+  for (std::size_t i = 0; i < d; ++i) {
+    const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end(), [&](int a, int b) {
+      return mesh.coordinates[static_cast<std::size_t>(a) * d + i] <
+             mesh.coordinates[static_cast<std::size_t>(b) * d + i];
+    });
+    box.lower[i] = mesh.coordinates[static_cast<std::size_t>(*least) * d + i];
+    box.upper[i] = mesh.coordinates[static_cast<std::size_t>(*most) * d + i];
+  }
+  return box;
+}
+
+RegionSearch::RegionSearch(const Mesh& mesh, const RefinedRegion& region) : region_(region) {
+  check_length("Lower", region.lower, mesh.dimension);
+  check_length("Upper", region.upper, mesh.dimension);
+  check_length("Sphere Center", region.sphere_center, mesh.dimension);
+  if (region.lower.empty() && region.upper.empty() && region.sphere_radius == 0 && region.side_set.empty())
+    throw InputError("nothing tells where the mesh is refined; give Lower, Upper, Sphere Radius or Side Set");
+  if (region.sphere_radius == 0 && !region.sphere_center.empty())
+    throw InputError("Sphere Center needs a Sphere Radius greater than 0");
+  if (region.side_set.empty() && region.distance > 0) throw InputError("Distance needs a Side Set");
+  for (const std::string& axis : region.directions)
+    if (axis != "x" && axis != "y" && (axis != "z" || mesh.dimension == 2))
+      throw InputError(fmt::format("Directions: \"{}\" is no axis of a mesh of {} dimensions; \"x\", \"y\"{} are", axis,
+                                   mesh.dimension, mesh.dimension == 3 ? ", \"z\"" : ""));
+  if (region_.sphere_center.empty()) region_.sphere_center.assign(3, 0.0);
+  if (region.side_set.empty()) return;
+  std::vector<Box> boxes;
+  for (const Side& side : side_set_named(mesh, region.side_set).sides)
+    boxes.push_back(grown(box_around(mesh, nodes_of_side(mesh, side)), 0));
+  sides_ = std::make_unique<const Sides>(Sides{decltype(Sides::boxes)(boxes)});
+}
+
+RegionSearch::~RegionSearch() = default;
+RegionSearch::RegionSearch(RegionSearch&&) noexcept = default;
+
+bool RegionSearch::meets(const CornerBox& box) const {
+  for (std::size_t i = 0; i < region_.lower.size(); ++i)
+    if (box.upper[i] < region_.lower[i]) return false;
+  for (std::size_t i = 0; i < region_.upper.size(); ++i)
+    if (box.lower[i] > region_.upper[i]) return false;
+  if (region_.sphere_radius > 0) {
+    double squares = 0;
+    for (std::size_t i = 0; i < region_.sphere_center.size(); ++i) {
+      const double nearest = std::clamp(region_.sphere_center[i], box.lower[i], box.upper[i]);
+      squares += (nearest - region_.sphere_center[i]) * (nearest - region_.sphere_center[i]);
+    }
+    if (squares > region_.sphere_radius * region_.sphere_radius) return false;
+  }
+  if (!sides_) return true;
+  const Box near = grown(box, region_.distance);
+  return std::any_of(sides_->boxes.qbegin(bg::index::intersects(near)), sides_->boxes.qend(),
+                     [&](const Box& side) { return distance(box, side) <= region_.distance; });
+}
+
+bool RegionSearch::splits_along(const std::array<double, 3>& direction) const {
+  if (splits_all()) return true;
+  const auto largest = std::max_element(direction.begin(), direction.end(),
+                                        [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const std::string axis(1, "xyz"[largest - direction.begin()]);
+  return std::find(region_.directions.begin(), region_.directions.end(), axis) != region_.directions.end();
+}
+
+}  // namespace ixos

@@ -1,0 +1,129 @@
+// Bodies with periodic sides: a wave that runs through them, and pressure without lateral strain.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "material/elastic_law.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "mesh/periodic_sides.hpp"
+#include "mesh/selection.hpp"
+#include "mesh/splitting/refine.hpp"
+#include "model/conditions.hpp"
+#include "model/set_reactions.hpp"
+#include "model/state_report.hpp"
+#include "support/comparison.hpp"
+#include "support/refusal.hpp"
+#include "support/scene_text.hpp"
+#include "support/solids.hpp"
+#include "time/schemes.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+Mesh bar(int dimension, int along, double length) {
+  BoxShape shape;
+  shape.dimension = dimension;
+  shape.lengths = {length, 1, 1};
+  shape.divisions = {along, 2, 2};
+  return box(shape);
+}
+
+void refine_middle(Mesh& mesh) {
+  RefinedRegion middle;
+  middle.lower.assign(static_cast<std::size_t>(mesh.dimension), -1);
+  middle.upper.assign(static_cast<std::size_t>(mesh.dimension), 0.4);
+  middle.lower[0] = 0.9;
+  middle.upper[0] = 1.1;
+  refine(mesh, {{"middle", middle}}, 1);
+}
+
+/// Length 2, n cells along; the wave's amplitude is small.
+double error_of_wave(int n) {
+  Mesh mesh = bar(2, n, 2);
+  make_periodic(mesh, "right", "left", 0);
+  const Material rubber = test::elastic(linear_elastic, 0.25);
+  const auto model = test::model_of(mesh, rubber, Inertia::Consistent);
+  for (const char* set : {"top", "bottom"}) prescribe(*model, set, "y", nullptr);
+  const Lame lame = rubber.law->lame();
+  const double c = std::sqrt(lame.lambda + 2 * lame.mu), k = pi, size = 1e-3;
+  const LocalMesh& local = model->mesh();
+  std::vector<double> u = test::at_rest(*model), v = u;
+  for (std::size_t node = 0; node < static_cast<std::size_t>(local.nodes()); ++node) {
+    u[2 * node] = size * std::cos(k * local.coordinates[2 * node]);
+    v[2 * node] = size * k * c * std::sin(k * local.coordinates[2 * node]);
+  }
+  Integrator integrator = test::direct(*model, midpoint());
+  integrator.initialize(u, v, 0.0);
+  const int steps = 4 * n;  // once through the bar
+  for (int step = 0; step < steps; ++step) EXPECT_TRUE(integrator.step(2 / c / steps).converged);
+  EXPECT_LT(std::abs(StateReport(*model, integrator.state()).momenta().linear[0]), 1e-12);
+  return test::distance(integrator.state().u, u) / size;
+}
+
+TEST(PeriodicTest, AWaveComesInWhereItHasLeft) {
+  const double coarse = error_of_wave(8), fine = error_of_wave(16);
+  EXPECT_LT(fine, 0.05);
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2);
+}
+
+TEST(PeriodicTest, PressureWithoutLateralStrainHasTheModulusOfThePlaneWave) {
+  for (const int dimension : {2, 3})
+    for (const bool refined : {false, true}) {
+      Mesh mesh = bar(dimension, 4, 2);
+      if (refined && dimension == 2) refine_middle(mesh);
+      make_periodic(mesh, "right", "left", 0);
+      const char* const down = dimension == 2 ? "bottom" : "bottom";
+      if (dimension == 3) make_periodic(mesh, "back", "front", 0);
+      const Material rubber = test::elastic(linear_elastic, 0.3);
+      const auto model = test::model_of(mesh, rubber, Inertia::None);
+      const std::string axis = dimension == 2 ? "y" : "z";
+      prescribe(*model, down, "all", nullptr);
+      prescribe(*model, "top", axis, rate_ramp(-0.01, 0.0, 0.0, RampShape::Linear));
+      Integrator integrator = test::direct(*model, static_equilibrium());
+      integrator.initialize(test::at_rest(*model), test::at_rest(*model), 0.0);
+      ASSERT_TRUE(integrator.step(1.0).converged);
+      const Lame lame = rubber.law->lame();
+      const std::vector<double> reaction = set_reaction(*model, integrator.state().reaction, "top");
+      EXPECT_NEAR(reaction.back(), -0.01 * (lame.lambda + 2 * lame.mu) * 2, 1e-9) << dimension << "D";
+    }
+}
+
+TEST(PeriodicTest, SidesThatDoNotFitAreRefusedWithNamesAndPlaces) {
+  const auto expect = [](const std::string& secondary, const std::string& primary, const char* words,
+                         bool split = false) {
+    test::expect_contains(test::refusal([&] {
+                            Mesh mesh = bar(2, 4, 2);
+                            if (split) {
+                              RefinedRegion corner;
+                              corner.upper = {0.1, 0.1};
+                              refine(mesh, {{"corner", corner}}, 1);
+                            }
+                            make_periodic(mesh, secondary, primary, 0);
+                          }),
+                          words);
+  };
+  expect("right", "lef", "\"left\"");
+  expect("top", "left", "share node");
+  expect("surface", "surface", "share node");
+  expect("right", "left", "periodic sides have the same mesh", true);
+  test::expect_contains(test::refusal([] {
+                          Mesh mesh = bar(2, 4, 2);
+                          mesh.coordinates[2 * 5 + 1] += 0.1;
+                          make_periodic(mesh, "right", "left", 0);
+                        }),
+                        "has no partner in \"left\"");
+}
+
+TEST(PeriodicTest, LoopsAreRefusedWhenRanksTakeTheirParts) {
+  Mesh mesh = bar(2, 4, 2);
+  make_periodic(mesh, "right", "left", 0);
+  mesh.ties.push_back({mesh.ties.front().masters.front(), {mesh.ties.front().node}, {1.0}, false});
+  test::expect_contains(
+      test::refusal([&] { localize(mesh, std::vector<int>(static_cast<std::size_t>(mesh.nodes()), 0), 0, 1); }),
+      "follows itself");
+}
+
+}  // namespace
+}  // namespace ixos
