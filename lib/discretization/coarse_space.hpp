@@ -19,8 +19,8 @@ namespace ixos {
 /// - Of a coarse cell's fine cells a rank may have some only. Each rank adds its own fine cells to the rows of all its
 ///   local coarse nodes, and the ranks sum them.
 ///
-/// Where quadratic cells have hanging nodes, a middle node of a coarse cell that is a corner of finer ones is a coarse
-/// node of its own. The linear cells do not conform there, and the Galerkin product is that of cells that come apart: a
+/// Where quadratic cells have hanging nodes, a corner of finer cells in the middle of a coarser one's edge or face is a
+/// coarse node too. The linear cells do not conform there, and the Galerkin product is that of cells that come apart: a
 /// preconditioner all the same.
 ///
 /// A coarse degree of freedom that moves a constrained fine one is left out: its column of P is zero, and matrices have

@@ -19,11 +19,7 @@ Pattern::Pattern(const LocalMesh& mesh, const std::vector<std::vector<int>>& ste
       with_tied.emplace_back(nodes, nodes + count);
       followed.clear();
       for (int a = 0; a < count; ++a)
-        if (!ties_.is_tied(nodes[a]))
-          followed.push_back(nodes[a]);
-        else
-          for (const NodeTies::Share* s = ties_.begin(nodes[a]); s != ties_.end(nodes[a]); ++s)
-            followed.push_back(s->master);
+        ties_.for_each_share(nodes[a], [&](int node, double) { followed.push_back(node); });
       nodes = followed.data();
       count = static_cast<int>(followed.size());
     }
@@ -44,7 +40,7 @@ Pattern::Pattern(const LocalMesh& mesh, const std::vector<std::vector<int>>& ste
   }
   if (ties_.empty()) return;
   const auto own_stride = [this](int row) { return stride(row); };
-  tied_ = TiedPairs(with_tied, ties_, rows(), dimension_, static_cast<int>(matrix_values()), own_stride);
+  tied_ = TiedPairs(with_tied, mesh, static_cast<int>(matrix_values()), own_stride);
   tied_.find_targets(
       ties_, [this](int row, int column) { return offset(row, column); }, own_stride);
 }

@@ -7,28 +7,20 @@
 
 namespace ixos {
 
-TiedPairs::TiedPairs(const std::vector<std::vector<int>>& stencils, const NodeTies& ties, int rows, int dimension,
-                     int first, const std::function<int(int)>& stride)
-    : dimension_(dimension), first_value_(first), end_(first) {
-  const auto has_own_master = [&](int node) {
-    return std::any_of(ties.begin(node), ties.end(node),
-                       [rows](const NodeTies::Share& share) { return share.master < rows; });
-  };
+TiedPairs::TiedPairs(const std::vector<std::vector<int>>& stencils, const LocalMesh& mesh, int first,
+                     const std::function<int(int)>& stride)
+    : dimension_(mesh.dimension), first_value_(first), end_(first) {
   std::map<int, std::set<int>> columns;
   for (const std::vector<int>& stencil : stencils)
     for (const int row : stencil)
-      if (ties.is_tied(row)) {
-        if (has_own_master(row)) columns[row].insert(stencil.begin(), stencil.end());
-      } else if (row < rows) {
-        for (const int column : stencil)
-          if (ties.is_tied(column)) columns[row].insert(column);
-      }
+      for (const int column : stencil)
+        if (mesh.has_row(row) && (mesh.is_tied(row) || mesh.is_tied(column))) columns[row].insert(column);
   for (const auto& [node, own] : columns) {
     Row row{node, end_, 0, {own.begin(), own.end()}};
     const int blocks = static_cast<int>(own.size());
-    row.stride = ties.is_tied(node) ? dimension * blocks : stride(node);
-    const int in_a_line = row.stride / dimension;
-    end_ += (blocks + in_a_line - 1) / in_a_line * row.stride * dimension;
+    row.stride = mesh.is_tied(node) ? dimension_ * blocks : stride(node);
+    const int in_a_line = row.stride / dimension_;
+    end_ += (blocks + in_a_line - 1) / in_a_line * row.stride * dimension_;
     rows_.push_back(std::move(row));
   }
 }
@@ -61,18 +53,14 @@ const std::vector<int>& TiedPairs::columns(int row) const {
 
 void TiedPairs::find_targets(const NodeTies& ties, const std::function<int(int, int)>& offset,
                              const std::function<int(int)>& stride) {
-  const auto shares = [&](int node) {
-    return ties.is_tied(node) ? std::vector<NodeTies::Share>(ties.begin(node), ties.end(node))
-                              : std::vector<NodeTies::Share>{{node, 1.0}};
-  };
   for (const Row& row : rows_)
     for (std::size_t k = 0; k < row.columns.size(); ++k)
-      for (const NodeTies::Share& left : shares(row.node))
-        for (const NodeTies::Share& right : shares(row.columns[k])) {
-          const int to = offset(left.master, right.master);
-          if (to >= 0)
-            targets_.push_back({offset_in(row, k), row.stride, to, stride(left.master), left.weight * right.weight});
-        }
+      ties.for_each_share(row.node, [&](int left, double weight) {
+        ties.for_each_share(row.columns[k], [&](int right, double share) {
+          const int to = offset(left, right);
+          if (to >= 0) targets_.push_back({offset_in(row, k), row.stride, to, stride(left), weight * share});
+        });
+      });
 }
 
 void TiedPairs::condense(double* values) const {

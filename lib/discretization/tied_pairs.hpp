@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "mesh/node_ties.hpp"
+#include "mesh/local_mesh.hpp"
 
 namespace ixos {
 
@@ -14,9 +14,9 @@ namespace ixos {
 class TiedPairs {
  public:
   TiedPairs() = default;
-  /// `stencils`: nodes that are coupled with each other, all that have a tied one. `rows`: the owned nodes. `first`:
-  /// index of the first value behind the matrix. `stride`: that of an owned row, which its further blocks share.
-  TiedPairs(const std::vector<std::vector<int>>& stencils, const NodeTies& ties, int rows, int dimension, int first,
+  /// `stencils`: nodes that are coupled with each other, all that have a tied one. `first`: index of the first value
+  /// behind the matrix. `stride`: that of an owned row, which its further blocks share.
+  TiedPairs(const std::vector<std::vector<int>>& stencils, const LocalMesh& mesh, int first,
             const std::function<int(int)>& stride);
   /// Finds what condense() adds to. `offset`: that of a block of the matrix, -1 for rows of other ranks.
   void find_targets(const NodeTies& ties, const std::function<int(int, int)>& offset,

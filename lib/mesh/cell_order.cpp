@@ -5,15 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
 #include "fem/cell_info.hpp"
 #include "fem/corner_element.hpp"
-#include "mesh/cell_sides.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
+#include "mesh/side_set_nodes.hpp"
 
 namespace ixos {
 namespace {
@@ -74,28 +73,6 @@ class Middles {
   std::map<Corners, int> nodes_;
   std::vector<Between> added_;
 };
-
-std::set<int> nodes_of(const Mesh& mesh, const SideSet& set) {
-  std::set<int> nodes;
-  for (const Side& side : set.sides) {
-    const std::vector<int> own = nodes_of_side(mesh, side);
-    nodes.insert(own.begin(), own.end());
-  }
-  return nodes;
-}
-
-/// Returns the node sets that have the nodes of the side set of their name, and that side set.
-std::vector<std::pair<std::size_t, std::size_t>> sets_of_sides(const Mesh& mesh) {
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;
-  for (std::size_t n = 0; n < mesh.node_sets.size(); ++n)
-    for (std::size_t s = 0; s < mesh.side_sets.size(); ++s) {
-      const NodeSet& set = mesh.node_sets[n];
-      if (set.name == mesh.side_sets[s].name &&
-          std::set<int>(set.nodes.begin(), set.nodes.end()) == nodes_of(mesh, mesh.side_sets[s]))
-        pairs.emplace_back(n, s);
-    }
-  return pairs;
-}
 
 /// Two cells that share an edge's or a face's corners, but not its middle, or a middle that is a corner elsewhere; -1
 /// where there is none.
@@ -165,10 +142,7 @@ void raise_order(Mesh& mesh) {
     block.type = cube_type(mesh.dimension, 2);
   }
   complete_node_sets(mesh, middles.added());
-  for (const auto& [node_set, side_set] : of_sides) {
-    const std::set<int> nodes = nodes_of(mesh, mesh.side_sets[side_set]);
-    mesh.node_sets[node_set].nodes.assign(nodes.begin(), nodes.end());
-  }
+  renew_sets_of_sides(mesh, of_sides);
   mesh.linear_nodes = linear_nodes;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <boost/geometry/algorithms/comparable_distance.hpp>
 #include <boost/geometry/algorithms/distance.hpp>
-#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
@@ -12,12 +11,12 @@
 #include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/tree_point.hpp"
 
 namespace ixos {
 namespace {
 
 namespace bg = boost::geometry;
-using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 
 /// A side with its middle and the radius of a ball around it that holds the nodes.
 struct Ball {
@@ -39,20 +38,18 @@ std::vector<Ball> balls(const Mesh& mesh, const std::string& name) {
   return result;
 }
 
-TreePoint point(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
-
 }  // namespace
 
 FacingNodes facing_nodes(const Mesh& mesh, const std::string& first, const std::string& second, double distance) {
   const std::vector<Ball> own = balls(mesh, first), other = balls(mesh, second);
   using Entry = std::pair<TreePoint, std::size_t>;
   std::vector<Entry> entries;
-  for (std::size_t k = 0; k < other.size(); ++k) entries.emplace_back(point(other[k].middle), k);
+  for (std::size_t k = 0; k < other.size(); ++k) entries.emplace_back(tree_point(other[k].middle), k);
   const bg::index::rtree<Entry, bg::index::quadratic<8>> tree(entries);
   FacingNodes result;
   for (const Ball& ball : own) {
     std::vector<Entry> found;
-    tree.query(bg::index::nearest(point(ball.middle), 1), std::back_inserter(found));
+    tree.query(bg::index::nearest(tree_point(ball.middle), 1), std::back_inserter(found));
     if (found.empty()) continue;
     const Ball& near = other[found.front().second];
     if (!(length(near.middle - ball.middle) < distance + near.radius + ball.radius)) continue;

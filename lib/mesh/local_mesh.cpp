@@ -114,11 +114,13 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& given_owner, int ra
   local.owned_nodes = static_cast<int>(local.original_ids.size());
   std::vector<int> ghosts, tied;
   const auto see = [&](int node) {
-    const Tie* const own = tie[static_cast<std::size_t>(node)];
-    if (own != nullptr) tied.push_back(node);
-    const std::vector<int> itself{node};
-    for (const int free : own != nullptr ? own->masters : itself)
+    const auto see_free = [&](int free) {
       if (node_owner[static_cast<std::size_t>(free)] != rank) ghosts.push_back(free);
+    };
+    const Tie* const own = tie[static_cast<std::size_t>(node)];
+    if (own == nullptr) return see_free(node);
+    tied.push_back(node);
+    std::for_each(own->masters.begin(), own->masters.end(), see_free);
   };
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const int n = nodes_per_cell(mesh.blocks[b].type);

@@ -8,7 +8,6 @@
 #include <boost/geometry/algorithms/expand.hpp>
 #include <boost/geometry/arithmetic/arithmetic.hpp>
 #include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
@@ -25,16 +24,14 @@
 #include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/normalize.hpp"
+#include "mesh/tree_point.hpp"
 
 namespace ixos {
 namespace {
 
 namespace bg = boost::geometry;
 namespace index = bg::index;
-using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
 using Entry = std::pair<TreePoint, int>;
-
-TreePoint point(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
 
 /// Returns the number of each block's part.
 std::vector<int> parts_of_blocks(const Mesh& mesh, const std::vector<MeshPart>& parts) {
@@ -66,7 +63,7 @@ class Merging {
     std::vector<Entry> fresh;
     std::set<int> taken;
     for (const int node : nodes) {
-      const TreePoint place = point(node_place(mesh_, node));
+      const TreePoint place = tree_point(node_place(mesh_, node));
       std::vector<Entry> nearest;
       tree_.query(index::nearest(place, 1), std::back_inserter(nearest));
       if (nearest.empty() || bg::distance(place, nearest.front().first) > tolerance_) {
@@ -154,7 +151,7 @@ using Box = bg::model::box<TreePoint>;
 Box box_around(const std::vector<Vec<3>>& points, double margin) {
   Box box;
   bg::assign_inverse(box);
-  for (const Vec<3>& x : points) bg::expand(box, point(x));
+  for (const Vec<3>& x : points) bg::expand(box, tree_point(x));
   bg::add_value(box.max_corner(), margin);
   bg::subtract_value(box.min_corner(), margin);
   return box;
@@ -186,7 +183,7 @@ void refuse_faces_that_do_not_match(const Mesh& mesh, const std::vector<Side>& s
     for (const int node : own.nodes)
       if (!merging.is_shared(node)) points.push_back(node_place(mesh, node));
     for (const Vec<3>& x : points)
-      for (auto found = tree.qbegin(index::intersects(point(x))); found != tree.qend(); ++found) {
+      for (auto found = tree.qbegin(index::intersects(tree_point(x))); found != tree.qend(); ++found) {
         const FreeSide& other = free[found->second];
         if (other.part == own.part || !lies_within(other, x, tolerance)) continue;
         throw InputError(

@@ -28,6 +28,12 @@ class NodeTies {
   /// Return the range of a tied node's shares.
   const Share* begin(int node) const { return shares_.data() + start_[place(node)]; }
   const Share* end(int node) const { return shares_.data() + start_[place(node) + 1]; }
+  /// Calls visit(master, weight) for the shares of a node; one that is not tied is its own master, with the weight 1.
+  template <class Visit>
+  void for_each_share(int node, const Visit& visit) const {
+    if (!is_tied(node)) return visit(node, 1.0);
+    for (const Share* share = begin(node); share != end(node); ++share) visit(share->master, share->weight);
+  }
 
   /// Sets the values of tied nodes in an array of `count` values for each local node.
   void interpolate(double* values, std::size_t count) const;

@@ -1,22 +1,16 @@
 #include "mesh/refinement.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "fem/cell_info.hpp"
+#include "fem/corner_bits.hpp"
 
 namespace ixos {
 namespace {
 
-constexpr std::size_t most_corners = 8;
-
-/// The corner of a linear cell as the bits of its place along the cell's axes, and the corner of such bits: the
-/// permutation is its own inverse.
-constexpr std::array<int, most_corners> bits_of_corner{0, 1, 3, 2, 4, 5, 7, 6};
-int flipped(int corner, int bits) {
-  return bits_of_corner[static_cast<std::size_t>(bits_of_corner[static_cast<std::size_t>(corner)] ^ bits)];
-}
+/// Returns the corner of a linear cell at the other end of the axes that have a bit.
+int flipped(int corner, int bits) { return corner_bits(corner_bits(corner) ^ bits); }
 
 /// Finds which corner of each cell is its coarse cell's. The opposite one is then the coarse cell's middle, and both
 /// nodes have the same part in all their cells, so that one cell decides for all that are connected with it.

@@ -318,7 +318,7 @@ void Integrator::accept() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to accept");
   const double dt = std::exchange(attempted_dt_, 0.0);
   State& start = states_.front();
-  // What a restart interpolates is the same to the bit then.
+  // A restart interpolates tied nodes, too, and must find the same bits.
   for (std::vector<double>* const array : {&states_.back().u, &states_.back().v, &states_.back().a})
     if (!array->empty()) model_.space().interpolate_tied(array->data());
   // Before the terms accept: the force of the step is that of the history at its start.

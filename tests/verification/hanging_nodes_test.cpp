@@ -37,7 +37,7 @@ Mesh refined_box(int dimension, ContactElement element, bool distorted = true) {
   corner.upper.assign(static_cast<std::size_t>(dimension), 0.3);
   middle.lower.assign(static_cast<std::size_t>(dimension), 1.4);
   middle.upper.assign(static_cast<std::size_t>(dimension), 1.6);
-  film.directions = {"x"};
+  film.directions = "x";
   film.lower.assign(static_cast<std::size_t>(dimension), 2.4);
   refine(mesh, {{"corner", corner}, {"middle", middle}, {"film", film}}, test::is_of_quadratic_cells(element) ? 2 : 1);
   const auto d = static_cast<std::size_t>(dimension);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/error.hpp"
 #include "fem/cell_info.hpp"
+#include "fem/corner_bits.hpp"
 #include "fem/corner_element.hpp"
 #include "fem/with_element.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
@@ -35,9 +37,32 @@ std::vector<double> point_in(const Mesh& mesh, const ElementBlock& block, int ce
 
 }  // namespace
 
-int corner_with(int bits) {
-  constexpr std::array<int, 8> corners{0, 1, 3, 2, 4, 5, 7, 6};
-  return corners[static_cast<std::size_t>(bits)];
+const std::vector<CellMiddle>& cell_middles(int dimension) {
+  static const auto all = [](int d) {
+    const auto& corners = corners_of_nodes(d);
+    std::map<std::set<int>, int> node_with;  // by the bits of its corners
+    for (std::size_t a = 0; a < corners.size(); ++a) {
+      std::set<int> bits;
+      for (const int corner : corners[a]) bits.insert(corner_bits(corner));
+      node_with[bits] = static_cast<int>(a);
+    }
+    std::vector<CellMiddle> found;
+    for (std::size_t size = 2; size <= std::size_t{1} << d; size *= 2)
+      for (const auto& [bits, node] : node_with)
+        for (int axis = 0; bits.size() == size && axis < d; ++axis) {
+          std::set<int> low, high;
+          std::array<double, 3> place{};
+          for (const int b : bits) {
+            ((b >> axis & 1) != 0 ? high : low).insert(b);
+            for (int k = 0; k < d; ++k)
+              place[static_cast<std::size_t>(k)] += (b >> k & 1) / static_cast<double>(bits.size());
+          }
+          if (low.size() == high.size()) found.push_back({node, node_with.at(low), node_with.at(high), place});
+        }
+    return found;
+  };
+  static const auto quad = all(2), hex = all(3);
+  return dimension == 2 ? quad : hex;
 }
 
 CellTree::CellTree(Mesh& mesh)
@@ -58,41 +83,16 @@ CellTree::CellTree(Mesh& mesh)
     for (int cell = 0; cell < block.cells(); ++cell) {
       TreeCell own{static_cast<int>(b), cell, {}, {}, {-1, -1, -1}, {1, 1, 1}};
       for (int bits = 0; bits < corners; ++bits) {
-        own.corners[at(bits)] = block.nodes[cell_entry(cell, n, corner_with(bits))];
+        own.corners[at(bits)] = block.nodes[cell_entry(cell, n, corner_bits(bits))];
         corner_[at(own.corners[at(bits)])] = 1;
       }
       cells_.push_back(own);
-      if (is_quadratic(block.type)) name_middles(block, cell);
+      if (!is_quadratic(block.type)) continue;
+      const int* const nodes = &block.nodes[cell_entry(cell, n)];
+      for (const CellMiddle& middle : cell_middles(mesh.dimension))
+        middles_.set(nodes[middle.low], nodes[middle.high], nodes[middle.node]);
     }
   }
-}
-
-/// Names the nodes of a quadratic cell beside its corners.
-void CellTree::name_middles(const ElementBlock& block, int cell) {
-  const auto& pattern = corners_of_nodes(mesh_.dimension);
-  const int* nodes = &block.nodes[cell_entry(cell, nodes_per_cell(block.type))];
-  const auto bits_of = [](int corner) { return corner_with(corner); };
-  std::vector<int> by_bits(pattern.size() + 64, -1);
-  // Edges, then faces, then the inside: a middle of 2^k corners is that of two of 2^(k-1), along each of k axes.
-  const auto node_of = [&](std::vector<int> bits) {
-    std::sort(bits.begin(), bits.end());
-    for (std::size_t a = 0; a < pattern.size(); ++a) {
-      std::vector<int> own;
-      for (const int corner : pattern[a]) own.push_back(bits_of(corner));
-      std::sort(own.begin(), own.end());
-      if (own == bits) return nodes[a];
-    }
-    return -1;
-  };
-  for (std::size_t size = 2; size <= std::size_t{1} << mesh_.dimension; size *= 2)
-    for (std::size_t a = 0; a < pattern.size(); ++a) {
-      if (pattern[a].size() != size) continue;
-      for (int axis = 0; axis < mesh_.dimension; ++axis) {
-        std::vector<int> low, high;
-        for (const int corner : pattern[a]) (bits_of(corner) >> axis & 1 ? high : low).push_back(bits_of(corner));
-        if (low.size() == high.size()) middles_.set(node_of(low), node_of(high), nodes[a]);
-      }
-    }
 }
 
 std::vector<int> CellTree::leaves() const {
@@ -105,7 +105,9 @@ std::vector<int> CellTree::leaves() const {
 int CellTree::middle(const TreeCell& leaf, int a, int b, const std::array<double, 3>& place) {
   const int found = middles_.find(a, b);
   if (found >= 0) return found;
-  add_node(mesh_, point_in(mesh_, blocks_[at(leaf.block)], leaf.root, place), -1);
+  std::array<double, 3> in_root{};
+  for (std::size_t k = 0; k < 3; ++k) in_root[k] = leaf.lower[k] + place[k] * (leaf.upper[k] - leaf.lower[k]);
+  add_node(mesh_, point_in(mesh_, blocks_[at(leaf.block)], leaf.root, in_root), -1);
   corner_.push_back(0);
   return middles_.add(a, b);
 }
@@ -119,8 +121,7 @@ void CellTree::bisect(int cell, int axis) {
   ++high.halvings[at(axis)];
   for (const auto& [left, right] : edges_[at(axis)]) {
     std::array<double, 3> place{};
-    for (int k = 0; k < mesh_.dimension; ++k)
-      place[at(k)] = k == axis ? half : (left >> k & 1) != 0 ? whole.upper[at(k)] : whole.lower[at(k)];
+    for (int k = 0; k < mesh_.dimension; ++k) place[at(k)] = k == axis ? 0.5 : left >> k & 1;
     const int node = middle(whole, whole.corners[at(left)], whole.corners[at(right)], place);
     corner_[at(node)] = 1;
     low.corners[at(right)] = high.corners[at(left)] = node;

@@ -19,8 +19,15 @@ struct TreeCell {
   int first_child = -1;                ///< two cells, one behind the other; -1: not split
 };
 
-/// Returns the corner of a linear cell, in Exodus order, with these bits. The permutation is its own inverse.
-int corner_with(int bits);
+/// A node of a quadratic cell that stands between two others of the cell.
+struct CellMiddle {
+  int node, low, high;
+  std::array<double, 3> place;  ///< from 0 to 1 along the cell's axes
+};
+
+/// Returns all of a quadrilateral, or of a hexahedron: edges, then faces, then the inside, each along the edges that
+/// cross it: a node in the middle of a face is between two pairs of others.
+const std::vector<CellMiddle>& cell_middles(int dimension);
 
 /// The cells of a mesh as trees whose leaves are the cells of a finer one. New nodes stand where the shape functions of
 /// the mesh's cells put them; those of quadratic cells are the nodes of the halves as far as they go.
@@ -48,7 +55,8 @@ class CellTree {
   MiddleNodes& middles() { return middles_; }
   /// Returns whether the node is a corner of a leaf, or was one before it was split.
   bool is_corner(int node) const { return static_cast<std::size_t>(node) < corner_.size() && corner_[at(node)] != 0; }
-  /// Returns the node in the middle of two of a leaf's nodes, made if there is none. `place`: in the cell of the mesh.
+  /// Returns the node in the middle of two of a leaf's nodes, made if there is none. `place`: from 0 to 1 along the
+  /// leaf's axes.
   int middle(const TreeCell& leaf, int a, int b, const std::array<double, 3>& place);
   /// Returns the pairs of bits of a cell's edges along an axis.
   const std::vector<std::array<int, 2>>& edges(int axis) const { return edges_[at(axis)]; }
@@ -63,7 +71,6 @@ class CellTree {
     visit_leaves(own.first_child, visit);
     visit_leaves(own.first_child + 1, visit);
   }
-  void name_middles(const ElementBlock& block, int cell);
   std::vector<int> leaves() const;
   void halve(int cell, const std::vector<int>& axes);
   void bisect(int cell, int axis);

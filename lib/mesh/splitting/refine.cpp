@@ -6,9 +6,10 @@
 
 #include "base/error.hpp"
 #include "fem/cell_info.hpp"
-#include "fem/corner_element.hpp"
+#include "fem/corner_bits.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/normalize.hpp"
+#include "mesh/side_set_nodes.hpp"
 #include "mesh/splitting/cell_tree.hpp"
 #include "mesh/splitting/hanging_nodes.hpp"
 #include "mesh/tied_nodes.hpp"
@@ -18,23 +19,18 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-std::set<int> nodes_of(const Mesh& mesh, const SideSet& set) {
-  std::set<int> nodes;
-  for (const Side& side : set.sides) {
-    const std::vector<int> own = nodes_of_side(mesh, side);
-    nodes.insert(own.begin(), own.end());
-  }
-  return nodes;
-}
-
 /// Makes the mesh of a tree's leaves.
 class LeafMesh {
  public:
-  LeafMesh(Mesh& mesh, CellTree& tree, int order)
-      : mesh_(mesh), tree_(tree), before_(mesh), nodes_before_(mesh.nodes()), order_(order) {}
+  LeafMesh(Mesh& mesh, CellTree& tree, int nodes_before, int order)
+      : mesh_(mesh),
+        tree_(tree),
+        before_(mesh),
+        nodes_before_(nodes_before),
+        order_(order),
+        type_(cube_type(mesh.dimension, order)) {}
 
   void make() {
-    find_boundary();
     add_cells();
     add_side_sets();
     add_node_sets();
@@ -45,42 +41,30 @@ class LeafMesh {
   }
 
  private:
-  /// The node of a cell's corners with these bits: a corner, or in the middle of an edge, a face or the cell.
-  int node_between(const TreeCell& leaf, std::vector<int> bits) {
-    if (bits.size() == 1) return leaf.corners[at(bits.front())];
-    std::sort(bits.begin(), bits.end());
-    int axis = 0;
-    while (std::all_of(bits.begin(), bits.end(), [&](int b) { return (b >> axis & 1) == (bits.front() >> axis & 1); }))
-      ++axis;
-    std::vector<int> low, high;
-    for (const int b : bits) ((b >> axis & 1) != 0 ? high : low).push_back(b);
-    std::array<double, 3> place{};
-    for (int k = 0; k < mesh_.dimension; ++k) {
-      for (const int b : bits) place[at(k)] += (b >> k & 1) != 0 ? leaf.upper[at(k)] : leaf.lower[at(k)];
-      place[at(k)] /= static_cast<double>(bits.size());
-    }
-    return tree_.middle(leaf, node_between(leaf, low), node_between(leaf, high), place);
+  /// The nodes of a leaf as a cell of the mesh.
+  std::vector<int> nodes_of_leaf(const TreeCell& leaf) {
+    std::vector<int> nodes(at(nodes_per_cell(type_)), -1);
+    for (int bits = 0; bits < 1 << mesh_.dimension; ++bits) nodes[at(corner_bits(bits))] = leaf.corners[at(bits)];
+    if (!is_quadratic(type_)) return nodes;
+    for (const CellMiddle& middle : cell_middles(mesh_.dimension))
+      if (int& node = nodes[at(middle.node)]; node < 0)
+        node = tree_.middle(leaf, nodes[at(middle.low)], nodes[at(middle.high)], middle.place);
+    return nodes;
   }
 
   void add_cells() {
-    const CellType type = cube_type(mesh_.dimension, order_);
-    std::vector<std::vector<int>> bits_of_nodes;
-    for (const std::vector<int>& corners : corners_of_nodes(mesh_.dimension)) {
-      bits_of_nodes.emplace_back();
-      for (const int corner : corners) bits_of_nodes.back().push_back(corner_with(corner));
-    }
-    bits_of_nodes.resize(at(nodes_per_cell(type)));  // corners come first
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       const ElementBlock& old = before_.blocks[b];
       ElementBlock block = old;
-      block.type = type;
+      block.type = type_;
       block.nodes.clear();
       block.file_numbers.clear();
       first_leaf_.emplace_back();
       for (int cell = 0; cell < old.cells(); ++cell) {
         first_leaf_.back().push_back(block.cells());
         tree_.for_each_leaf(static_cast<int>(b), cell, [&](const TreeCell& leaf) {
-          for (const std::vector<int>& bits : bits_of_nodes) block.nodes.push_back(node_between(leaf, bits));
+          const std::vector<int> nodes = nodes_of_leaf(leaf);
+          block.nodes.insert(block.nodes.end(), nodes.begin(), nodes.end());
           if (!old.file_numbers.empty()) block.file_numbers.push_back(old.file_numbers[at(cell)]);
         });
       }
@@ -92,8 +76,8 @@ class LeafMesh {
   std::pair<int, int> axis_of(int side) const {
     const std::vector<int> corners = side_nodes(cube_type(mesh_.dimension), side);
     for (int axis = 0;; ++axis) {
-      const int end = corner_with(corners.front()) >> axis & 1;
-      if (std::all_of(corners.begin(), corners.end(), [&](int c) { return (corner_with(c) >> axis & 1) == end; }))
+      const int end = corner_bits(corners.front()) >> axis & 1;
+      if (std::all_of(corners.begin(), corners.end(), [&](int c) { return (corner_bits(c) >> axis & 1) == end; }))
         return {axis, end};
     }
   }
@@ -118,17 +102,10 @@ class LeafMesh {
     }
   }
 
+  /// A set that is not that of its sides gets the nodes between its own.
   void add_node_sets() {
+    const SetPairs of_sides = sets_of_sides(before_);
     for (NodeSet& set : mesh_.node_sets) {
-      const auto same = std::find_if(before_.side_sets.begin(), before_.side_sets.end(),
-                                     [&](const SideSet& sides) { return sides.name == set.name; });
-      if (same != before_.side_sets.end() &&
-          std::set<int>(set.nodes.begin(), set.nodes.end()) == nodes_of(before_, *same)) {
-        const std::set<int> nodes =
-            nodes_of(mesh_, mesh_.side_sets[at(static_cast<int>(same - before_.side_sets.begin()))]);
-        set.nodes.assign(nodes.begin(), nodes.end());
-        continue;
-      }
       std::vector<char> is_in(at(mesh_.nodes()), 0);
       for (const int node : set.nodes) is_in[at(node)] = 1;
       for (int node = nodes_before_; node < mesh_.nodes(); ++node) {
@@ -138,14 +115,13 @@ class LeafMesh {
         set.nodes.push_back(node);
       }
     }
+    renew_sets_of_sides(mesh_, of_sides);
   }
-
-  void find_boundary() { boundary_ = boundary_sides(before_); }
 
   /// Sides that one cell alone has are on the boundary, or hang.
   void find_hanging_sides() {
     std::set<std::array<int, 3>> outside;
-    for (const Side& side : boundary_)
+    for (const Side& side : boundary_sides(before_))
       for_each_part(side, [&](const Side& part) { outside.insert({part.block, part.cell, part.side}); });
     for (const Side& side : boundary_sides(mesh_))
       if (outside.count({side.block, side.cell, side.side}) == 0) mesh_.hanging_sides.push_back(side);
@@ -156,7 +132,7 @@ class LeafMesh {
   const Mesh before_;
   int nodes_before_;
   int order_;
-  std::vector<Side> boundary_;
+  CellType type_;                             ///< of the cells
   std::vector<std::vector<int>> first_leaf_;  ///< by block and cell of the mesh before: its first leaf
 };
 
@@ -183,11 +159,12 @@ void refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order) {
       throw InputError(region.name + ": " + error.what());
     }
   }
+  const int nodes_before = mesh.nodes();
   CellTree tree(mesh);
   tree.split(searches, names, most_refined_cells);
   const bool curved = std::any_of(mesh.blocks.begin(), mesh.blocks.end(),
                                   [](const ElementBlock& block) { return is_quadratic(block.type); });
-  LeafMesh(mesh, tree, order).make();
+  LeafMesh(mesh, tree, nodes_before, order).make();
   if (curved && order == 1) drop_middles(mesh);
   place_tied_nodes(mesh);
 }

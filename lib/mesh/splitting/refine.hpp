@@ -23,7 +23,7 @@ constexpr long long most_refined_cells = 10'000'000;
 /// of others, in the middle. A cell that is split for that reason alone is halved in all directions if all regions are.
 /// The nodes of finer cells on edges and faces of coarser ones hang there: they get a Tie, which makes displacements
 /// continuous. Side sets have the parts of their sides. A node set that has the nodes of the side set of its name keeps
-/// having them; another one gets the new nodes between two of its own.
+/// having them; another one gets the new nodes in the middle of two nodes of the set.
 ///
 /// `order`: that of the cells. 1 of a quadratic mesh leaves its corners: it gives the curved places of the new ones.
 /// Throws InputError, with the name, if a region is none of the mesh or meets no cell, and if the mesh is enriched, has

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/geometry/core/cs.hpp>
+#include <boost/geometry/algorithms/distance.hpp>
 #include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
@@ -13,31 +12,15 @@
 #include "base/error.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/tree_point.hpp"
 
 namespace ixos {
 namespace {
 
 namespace bg = boost::geometry;
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using Box = bg::model::box<Point>;
+using Box = bg::model::box<TreePoint>;
 
-Box grown(const CornerBox& box, double by) {
-  return {{box.lower[0] - by, box.lower[1] - by, box.lower[2] - by},
-          {box.upper[0] + by, box.upper[1] + by, box.upper[2] + by}};
-}
-
-/// Returns the distance of two boxes.
-double distance(const CornerBox& a, const Box& b) {
-  const std::array<double, 3> lower{bg::get<bg::min_corner, 0>(b), bg::get<bg::min_corner, 1>(b),
-                                    bg::get<bg::min_corner, 2>(b)},
-      upper{bg::get<bg::max_corner, 0>(b), bg::get<bg::max_corner, 1>(b), bg::get<bg::max_corner, 2>(b)};
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double gap = std::max({0.0, lower[i] - a.upper[i], a.lower[i] - upper[i]});
-    sum += gap * gap;
-  }
-  return std::sqrt(sum);
-}
+Box tree_box(const CornerBox& box) { return {tree_point(box.lower), tree_point(box.upper)}; }
 
 void check_length(const char* name, const std::vector<double>& list, int dimension) {
   if (!list.empty() && list.size() != static_cast<std::size_t>(dimension))
@@ -74,15 +57,15 @@ RegionSearch::RegionSearch(const Mesh& mesh, const RefinedRegion& region) : regi
   if (region.sphere_radius == 0 && !region.sphere_center.empty())
     throw InputError("Sphere Center needs a Sphere Radius greater than 0");
   if (region.side_set.empty() && region.distance > 0) throw InputError("Distance needs a Side Set");
-  for (const std::string& axis : region.directions)
-    if (axis != "x" && axis != "y" && (axis != "z" || mesh.dimension == 2))
+  for (const char axis : region.directions)
+    if (axis != 'x' && axis != 'y' && (axis != 'z' || mesh.dimension == 2))
       throw InputError(fmt::format("Directions: \"{}\" is no axis of a mesh of {} dimensions; \"x\", \"y\"{} are", axis,
                                    mesh.dimension, mesh.dimension == 3 ? ", \"z\"" : ""));
   if (region_.sphere_center.empty()) region_.sphere_center.assign(3, 0.0);
   if (region.side_set.empty()) return;
   std::vector<Box> boxes;
   for (const Side& side : side_set_named(mesh, region.side_set).sides)
-    boxes.push_back(grown(box_around(mesh, nodes_of_side(mesh, side)), 0));
+    boxes.push_back(tree_box(box_around(mesh, nodes_of_side(mesh, side))));
   sides_ = std::make_unique<const Sides>(Sides{decltype(Sides::boxes)(boxes)});
 }
 
@@ -103,17 +86,16 @@ bool RegionSearch::meets(const CornerBox& box) const {
     if (squares > region_.sphere_radius * region_.sphere_radius) return false;
   }
   if (!sides_) return true;
-  const Box near = grown(box, region_.distance);
-  return std::any_of(sides_->boxes.qbegin(bg::index::intersects(near)), sides_->boxes.qend(),
-                     [&](const Box& side) { return distance(box, side) <= region_.distance; });
+  const Box own = tree_box(box);
+  const auto nearest = sides_->boxes.qbegin(bg::index::nearest(own, 1));
+  return nearest != sides_->boxes.qend() && bg::distance(own, *nearest) <= region_.distance;
 }
 
 bool RegionSearch::splits_along(const std::array<double, 3>& direction) const {
   if (splits_all()) return true;
   const auto largest = std::max_element(direction.begin(), direction.end(),
                                         [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const std::string axis(1, "xyz"[largest - direction.begin()]);
-  return std::find(region_.directions.begin(), region_.directions.end(), axis) != region_.directions.end();
+  return region_.directions.find("xyz"[largest - direction.begin()]) != std::string::npos;
 }
 
 }  // namespace ixos

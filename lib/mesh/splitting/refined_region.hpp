@@ -12,14 +12,13 @@ namespace ixos {
 /// Cells that meet all conditions that are given are halved `levels` times. A cell meets a condition if the smallest
 /// axis-parallel box around its corners does. Lists have D coordinates, or are empty.
 struct RefinedRegion {
-  int levels = 1;                         ///< halvings of the cells' edges, at least 1
-  std::vector<std::string> directions{};  ///< "x", "y", "z": a cell is split along those of its own axes that are
-                                          ///< closest to one of them; empty: along all
-  std::vector<double> lower{}, upper{};   ///< an axis-parallel box: its corners [L0]; empty: no bound
-  double sphere_radius = 0;               ///< a ball (2D: a disk): its radius [L0]; 0: no ball
-  std::vector<double> sphere_center{};    ///< its centre [L0]; empty: the origin
-  std::string side_set{};                 ///< cells near these sides; empty: anywhere
-  double distance = 0;                    ///< from the box around a side up to which a cell is near [L0]
+  int levels = 1;                        ///< halvings of the cells' edges, at least 1
+  std::string directions{};              ///< such as "xy": a cell is split along its axes closest to these; empty: all
+  std::vector<double> lower{}, upper{};  ///< an axis-parallel box: its corners [L0]; empty: no bound
+  double sphere_radius = 0;              ///< a ball (2D: a disk): its radius [L0]; 0: no ball
+  std::vector<double> sphere_center{};   ///< its centre [L0]; empty: the origin
+  std::string side_set{};                ///< cells near these sides; empty: anywhere
+  double distance = 0;                   ///< from the box around a side up to which a cell is near [L0]
 };
 
 /// An axis-parallel box.

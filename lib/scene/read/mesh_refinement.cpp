@@ -36,8 +36,8 @@ const Options<RefinedRegion>& options() {
 void declare_refinement(Teuchos::ParameterList& list) {
   options().declare(list);
   list.set(directions, "all",
-           "Directions along which cells are split: a cell is halved along those of its own axes that are closest to "
-           "them. A thin film needs no cells through its thickness.",
+           "Directions along which Ixos splits cells. It halves a cell along the axes of the cell that are closest to "
+           "them. A thin film needs no more cells through its thickness.",
            one_of({"all", "x", "y", "z", "xy", "xz", "yz"}));
 }
 
@@ -45,8 +45,7 @@ std::vector<NamedRegion> refined_regions(const SceneNode& refine) {
   std::vector<NamedRegion> regions;
   for (const SceneNode& own : refine.sublists()) {
     NamedRegion region{own.path(), options().read(own)};
-    if (const std::string& axes = own.text(directions); axes != "all")
-      for (const char axis : axes) region.region.directions.emplace_back(1, axis);
+    if (const std::string& axes = own.text(directions); axes != "all") region.region.directions = axes;
     regions.push_back(std::move(region));
   }
   return regions;

@@ -32,11 +32,6 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
   const ShapeTable<Element> table(mass_rule<Element>(), block.tied);
-  const auto for_each_share = [&pattern](int node, const auto& visit) {
-    if (!pattern.ties().is_tied(node)) return visit(node, 1.0);
-    for (const NodeTies::Share* s = pattern.ties().begin(node); s != pattern.ties().end(node); ++s)
-      visit(s->master, s->weight);
-  };
   for (int cell = 0; cell < block.cells(); ++cell) {
     const int* nodes = &block.nodes[cell_entry(cell, N)];
     const auto scale = cell_scales<Element>(block, cell);
@@ -52,7 +47,7 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
     const bool scaled = lumped && is_quadratic(block.type);
     const double scale_of_diagonal = scaled ? diagonal_scale(element) : 1;
     for (std::size_t a = 0; a < N; ++a)
-      for_each_share(nodes[a], [&](int row, double weight) {
+      pattern.ties().for_each_share(nodes[a], [&](int row, double weight) {
         if (row >= pattern.rows()) return;
         if (scaled) {
           pairs[static_cast<std::size_t>(row)] += weight * scale_of_diagonal * element[a][a];
@@ -62,7 +57,7 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
           if (lumped)
             pairs[static_cast<std::size_t>(row)] += weight * element[a][b];
           else
-            for_each_share(nodes[b], [&](int column, double share) {
+            pattern.ties().for_each_share(nodes[b], [&](int column, double share) {
               pairs[static_cast<std::size_t>(pattern.pair(row, column))] += weight * share * element[a][b];
             });
       });

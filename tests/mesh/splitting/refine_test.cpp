@@ -53,10 +53,10 @@ Mesh turned_grid(int dimension, int order) {
   return mesh;
 }
 
-NamedRegion corner(int dimension, int levels, std::vector<std::string> directions = {}) {
+NamedRegion corner(int dimension, int levels, const std::string& directions = "") {
   RefinedRegion region;
   region.levels = levels;
-  region.directions = std::move(directions);
+  region.directions = directions;
   region.lower.assign(static_cast<std::size_t>(dimension), -1);
   region.upper = dimension == 2 ? std::vector<double>{0.6, 0.4} : std::vector<double>{0.6, 0.4, 0.3};
   return {"corner", region};
@@ -74,8 +74,8 @@ std::vector<NamedRegion> cases(int dimension, int number) {
   if (number == 0) return {corner(dimension, 1)};
   if (number == 1) return {corner(dimension, 3)};
   if (number == 2) return {corner(dimension, 1), ball(dimension, 3)};
-  if (number == 3) return {corner(dimension, 2, {"x"})};
-  return {corner(dimension, 2, {"x"}), ball(dimension, 2)};
+  if (number == 3) return {corner(dimension, 2, "x")};
+  return {corner(dimension, 2, "x"), ball(dimension, 2)};
 }
 constexpr int all_cases = 5;
 
@@ -272,7 +272,7 @@ TEST(RefineTest, RegionsAreAsFineAsAskedAndNeighboursDifferByOneLevel) {
 
 TEST(RefineTest, ChosenDirectionsAloneAreHalved) {
   Mesh mesh = grid(3, 1);
-  refine(mesh, {corner(3, 2, {"x"})}, 1);
+  refine(mesh, {corner(3, 2, "x")}, 1);
   for (int node = 0; node < mesh.nodes(); ++node)
     for (std::size_t i = 1; i < 3; ++i) {
       const double x = mesh.coordinates[static_cast<std::size_t>(node) * 3 + i];
@@ -317,6 +317,25 @@ TEST(RefineTest, WholeMeshesThatAreRefinedAreThoseOfTheGenerator) {
   }
 }
 
+TEST(RefineTest, NodeSetsWithoutSidesGetTheNodesBetweenTheirOwn) {
+  for (const int order : {1, 2}) {
+    Mesh mesh = grid(3, order);
+    const auto left = [&mesh] {
+      std::set<int> nodes;
+      for (int node = 0; node < mesh.nodes(); ++node)
+        if (mesh.coordinates[static_cast<std::size_t>(node) * 3] == 0) nodes.insert(node);
+      return nodes;
+    };
+    const std::set<int> before = left();
+    mesh.node_sets.push_back({"a plane", {before.begin(), before.end()}});
+    refine(mesh, cases(3, 1), order);
+    const NodeSet& after = mesh.node_sets.back();
+    EXPECT_GT(after.nodes.size(), before.size());
+    EXPECT_EQ(after.nodes.size(), left().size());
+    EXPECT_EQ(std::set<int>(after.nodes.begin(), after.nodes.end()), left());
+  }
+}
+
 TEST(RefineTest, RanksSeeWhatTheirNodesFollow) {
   Mesh mesh = grid(3, 1);
   refine(mesh, cases(3, 2), 1);
@@ -356,7 +375,7 @@ TEST(RefineTest, RefusesWhatItCannotDo) {
   set.side_set = "botom";
   expect(with(set), "bottom");
   axis.lower = {0, 0};
-  axis.directions = {"z"};
+  axis.directions = "z";
   expect(with(axis), "no axis");
   expect(
       [] {
