@@ -61,7 +61,8 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
     ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name());
     if (!mesh.ties.empty() && !arguments.quiet)
       ixos::console::say(
-          "{} has {} nodes that follow others: they hang on coarser cells or lie on periodic sides. The file does not "
+          "{} has {} nodes that follow others: they hang on coarser cells, or lie on periodic sides or tied surfaces. "
+          "The file does not "
           "say so, and a program that reads it moves them freely.\n",
           ixos::printable(arguments.mesh_file), mesh.ties.size());
   });

@@ -77,9 +77,13 @@ void TangentOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETran
   for (std::size_t j = 0; j < x.getNumVectors(); ++j) {
     model_.space().import(*x.getVector(j), x_.data());
     for (int dof : model_.constraints().dofs()) x_[static_cast<std::size_t>(dof)] = 0;
+    const NodePlanes& planes = model_.constraints().planes();
+    planes.project(x_.data(), model_.mesh().nodes());
     if (!model_.constraints().empty()) model_.space().interpolate_tied(x_.data());
     multiply(x_.data());
     const auto from = x.getVector(j)->getLocalViewHost(Tpetra::Access::ReadOnly);
+    planes.project(result_.data(), model_.mesh().owned_nodes);
+    planes.add_across(constrained_diagonal_, from.data(), result_.data(), model_.mesh().owned_nodes);
     for (int dof : model_.constraints().dofs()) {
       const auto i = static_cast<std::size_t>(dof);
       if (i < owned) result_[i] = constrained_diagonal_ * from(i, 0);
@@ -101,6 +105,7 @@ void TangentOperator::multiply_constrained_columns(const double* x, double* resu
   std::copy_n(result_.begin(), owned, result);
   for (int dof : model_.constraints().dofs())
     if (static_cast<std::size_t>(dof) < owned) result[dof] = 0;
+  model_.constraints().planes().project(result, model_.mesh().owned_nodes);
 }
 
 void TangentOperator::diagonal(Vector& result) const {

@@ -91,6 +91,9 @@ void SemiDiscreteBalance::residual(Vector& f) {
   model_.constraints().set(state_.time, part_.data(), nullptr, nullptr);
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   std::copy_n(all.data(), view.extent(0), view.data());
+  const NodePlanes& planes = model_.constraints().planes();
+  planes.project(view.data(), model_.mesh().owned_nodes);
+  planes.add_across(1, u_.data(), view.data(), model_.mesh().owned_nodes);
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);
     if (i < view.extent(0)) view(i, 0) = u_[i] - part_[i];

@@ -64,6 +64,9 @@ struct Mesh {
   /// that one cell alone has, because its neighbours' are finer or coarser: see refine().
   std::vector<std::array<int, 3>> hanging_edges;
   std::vector<Side> hanging_sides;
+  /// Nodes of sides that are tied to others, and nodes of these others. enrich() leaves edges between two of them as
+  /// they are: both sides must have the same field along them.
+  std::vector<int> nodes_of_tied_sides;
 
   std::vector<std::string> notes;  ///< what a file holds beside the mesh and Ixos left out, in sentences for the user
 

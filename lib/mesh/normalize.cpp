@@ -56,6 +56,7 @@ std::vector<int> drop_unused_nodes(Mesh& mesh) {
     tie.node = number[static_cast<std::size_t>(tie.node)];
     renumber(tie.masters);
   }
+  renumber(mesh.nodes_of_tied_sides);
   for (auto& edge : mesh.hanging_edges)
     for (int& node : edge) node = number[static_cast<std::size_t>(node)];
   for (NodeSet& set : mesh.node_sets) {

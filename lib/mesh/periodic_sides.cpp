@@ -65,6 +65,8 @@ void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& 
                       point_in_words(wanted, mesh.dimension), off, reach));
     if (tied.count(node) == 0) mesh.ties.push_back({node, {nearest.front().second}, {1.0}, false});
   }
+  for (const std::set<int>& nodes : {followers, leaders})
+    mesh.nodes_of_tied_sides.insert(mesh.nodes_of_tied_sides.end(), nodes.begin(), nodes.end());
 }
 
 }  // namespace ixos

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "discretization/nodal_measure.hpp"
+#include "mesh/fitted_normal.hpp"
 #include "model/tied_sets.hpp"
 
 namespace ixos {
@@ -109,6 +111,35 @@ void prescribe(Model& model, const std::string& node_set, const std::string& com
   for_each([&](int node, int i, double factor, const std::shared_ptr<const TimeFunction>& function) {
     model.constraints().add(node * mesh.dimension + i, factor, function);
   });
+}
+
+void hold_in_plane(Model& model, const std::string& node_set) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const std::vector<int>& nodes = mesh.node_sets[mesh.node_set(node_set)];
+  model.check_open();
+  refuse_half_tied(model, node_set);
+  std::vector<Vec<3>> places;
+  for (const int node : nodes) {
+    const auto n = static_cast<std::size_t>(node);
+    if (node >= mesh.owned_nodes || mesh.is_derivative(n)) continue;
+    places.emplace_back();
+    std::copy_n(&mesh.coordinates[n * d], d, places.back().begin());
+  }
+  const Vec<3> normal =
+      fitted_normal(mesh.dimension, places, [&](double* values, int count) { model.space().sum(values, count); });
+  if (mesh.axisymmetric && std::abs(normal[0]) > 1e-6)
+    throw InputError("its nodes are on a cone; a plane of symmetry of a body of revolution is across the axis");
+  together<InputError>(model.space().comm(), [&] {
+    for (const int node : nodes) try {
+        if (!mesh.is_tied(node)) model.constraints().check_plane(node, d, normal);
+      } catch (const InputError& error) {
+        throw InputError(
+            fmt::format("{}: node {} of the mesh", error.what(), mesh.message_number(static_cast<std::size_t>(node))));
+      }
+  });
+  for (const int node : nodes)
+    if (!mesh.is_tied(node)) model.constraints().hold_in_plane(node, d, normal);
 }
 
 void add_traction(Model& model, const std::string& side_set, const std::vector<double>& vector,

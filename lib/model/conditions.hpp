@@ -22,6 +22,11 @@ std::vector<int> components_of(const std::string& components, int dimension);
 void prescribe(Model& model, const std::string& node_set, const std::string& components,
                const std::shared_ptr<const TimeFunction>& motion = nullptr);
 
+/// Keeps the nodes of a set in their plane: n . u = 0 for the normal n of the plane in which they are at rest, of any
+/// direction. Throws InputError if they are in no plane (see fitted_normal()), if another condition moves a node across
+/// it, and on an axisymmetric mesh unless the plane is across the axis. Collective.
+void hold_in_plane(Model& model, const std::string& node_set);
+
 /// Adds a dead traction on a side set: `vector` per reference area [E0].
 void add_traction(Model& model, const std::string& side_set, const std::vector<double>& vector,
                   std::shared_ptr<const TimeFunction> history);

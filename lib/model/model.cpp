@@ -88,14 +88,19 @@ void Model::add_rate_term(std::unique_ptr<RateTerm> term, const std::string& nam
 void Model::set_prescribed(double time, double* u, double* v, double* a) const {
   if (constraints_.empty()) return;
   constraints_.set(time, u, v, a);
-  for (double* const array : {u, v, a})
-    if (array != nullptr) space().interpolate_tied(array);
+  for (double* const array : {u, v, a}) {
+    if (array == nullptr) continue;
+    constraints_.planes().project(array, mesh().nodes());
+    space().interpolate_tied(array);
+  }
 }
 
 void Model::close() const {
-  for (const int dof : constraints_.dofs())
-    if (mesh().is_tied(dof / mesh().dimension))
-      throw std::logic_error("a tied node is constrained; constrain the nodes that it follows");
+  const auto refuse = [this](int node) {
+    if (mesh().is_tied(node)) throw std::logic_error("a tied node is constrained; constrain the nodes that it follows");
+  };
+  for (const int dof : constraints_.dofs()) refuse(dof / mesh().dimension);
+  constraints_.planes().for_each(refuse);
   closed_ = true;
   constraints_.close();
   loads_.close();
@@ -169,7 +174,7 @@ void Model::find_scales() {
 }
 
 const ConstrainedEntries& Model::constrained_entries() const {
-  if (!constrained_entries_ || constrained_entries_->constraints() != constraints_.dofs().size())
+  if (!constrained_entries_ || !constrained_entries_->are_of(constraints_))
     constrained_entries_ = std::make_unique<ConstrainedEntries>(pattern(), constraints_);
   return *constrained_entries_;
 }

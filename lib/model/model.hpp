@@ -112,7 +112,8 @@ class Model {
   void do_without_matrices();
   const Constraints& constraints() const { return constraints_; }
   const Loads& loads() const { return loads_; }
-  /// Puts what constraints prescribe at `time` into local arrays, see Constraints::set(), and interpolates tied nodes.
+  /// Puts what constraints prescribe at `time` into local arrays, see Constraints::set(), removes what leaves the
+  /// planes of nodes, and interpolates tied nodes.
   void set_prescribed(double time, double* u, double* v, double* a) const;
   /// Returns the materials that the model was made with.
   const std::vector<Material>& materials() const { return materials_; }

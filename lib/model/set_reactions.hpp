@@ -8,7 +8,8 @@
 namespace ixos {
 
 /// Returns sums over node sets, given by their numbers in the mesh: sets x dimension [E0 L0^(D-1)]. `forces` are nodal
-/// forces, valid for owned nodes, such as State::reaction; only those at constrained degrees of freedom count. Leaves
+/// forces, valid for owned nodes, such as State::reaction; only those at constrained degrees of freedom count,
+/// and those across planes that nodes are held in. Leaves
 /// out derivative nodes, whose reactions are moments. Collective.
 std::vector<double> set_reactions(const Model& model, const std::vector<double>& forces,
                                   const std::vector<std::size_t>& sets);

@@ -312,7 +312,8 @@ void Simulation::build_integrator(Table table) {
                          mesh_quality_.largest_aspect_ratio,
                          tangent_stiffness(*model_, table, longest),
                          has_quadratic_cells(model_->mesh()),
-                         model_->mesh().refinement != nullptr};
+                         model_->mesh().refinement != nullptr,
+                         term_without_coarse(*model_)};
   const bool restartable = output_.checkpoint.keep > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);

@@ -55,6 +55,7 @@ bool Acceleration::solve_consistent(double time, std::vector<double>& a) {
     model_.set_prescribed(time, nullptr, nullptr, a.data());
     model_.mass()->multiply(a.data(), product.data());
     for (std::size_t i = 0; i < owned; ++i) rhs_values[i] -= product[i];
+    model_.constraints().planes().project(rhs_values.data(), model_.mesh().owned_nodes);
     for (int dof : model_.constraints().dofs()) {
       const auto i = static_cast<std::size_t>(dof);
       if (i < owned) rhs_values[i] = a[i];
@@ -110,6 +111,8 @@ void Acceleration::record_forces(State& state) const {
     const auto i = static_cast<std::size_t>(dof);
     if (i < owned) state.reaction[i] = inertia[i] - balance_[i];
   }
+  for (std::size_t i = 0; i < owned; ++i) inertia[i] -= balance_[i];
+  model_.constraints().planes().add_across(1, inertia.data(), state.reaction.data(), model_.mesh().owned_nodes);
 }
 
 }  // namespace ixos

@@ -1,5 +1,6 @@
 // The prescribed degrees of freedom of a stage: their rows, and the way to their values.
 #include <Tpetra_Vector.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "time/stage_problem.hpp"
@@ -32,16 +33,20 @@ void StageProblem::complete_direction(const Vector& x, Vector& direction) {
     const auto i = static_cast<std::size_t>(dof);
     if (i < owned) to(i, 0) = prescribed_[i] - from(i, 0);
   }
+  model_.constraints().planes().project(to.data(), model_.mesh().owned_nodes);
 }
 
 void StageProblem::constrain_residual(double* out) {
   if (model_.constraints().empty()) return;
   const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::fill(reaction_.begin(), reaction_.end(), 0.0);
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);
     bracket_[i] = u_[i] - prescribed_[i];
     if (i < owned) reaction_[i] = out[i];
   }
+  const NodePlanes& planes = model_.constraints().planes();
+  planes.add_across(1, out, reaction_.data(), model_.mesh().owned_nodes);
   if (moving_) {
     if (nonnull(matrix_free_)) {
       linearize();
@@ -54,6 +59,7 @@ void StageProblem::constrain_residual(double* out) {
     }
     for (std::size_t i = 0; i < owned; ++i) out[i] -= product_[i];
   }
+  planes.project(out, model_.mesh().owned_nodes);
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);
     if (i < owned) out[i] = diagonal_ * bracket_[i];

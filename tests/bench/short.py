@@ -25,6 +25,7 @@ RUNS = {
                          "Time Integrator/Time Step Control/Final Time=0.5"),
     "contact_quadrature.cpp": ("{build}/tests/contact_quadrature", "xml/strip.xml", "1"),
     "error_over_time.py": ("tests/bench/error_over_time.py", "--output", "{folder}/picture.png"),
+    "error_over_unknowns.py": ("tests/bench/error_over_unknowns.py", "--output", "{folder}/picture.png"),
     "kernels_benchmark.cpp": ("{build}/tests/kernels_benchmark", "--benchmark_min_time=0.001"),
     "product_times.cpp": ("{build}/tests/product_times", "4", "2"),
     "python_overhead.py": ("tests/bench/python_overhead.py",),
@@ -34,6 +35,7 @@ RUNS = {
     "static_solve.cpp": ("{build}/tests/static_solve", "4", "x1"),
     "strip_pictures.sh": ("tests/bench/strip_pictures.sh", "{folder}/runs", "{folder}", "{ixos}", "--set",
                           "Mesh/Box/Divisions={{80, 4}}", "--set", "Time Integrator/Time Step Control/Time Step=1"),
+    "tie_times.cpp": ("{build}/tests/tie_times", "6", "2"),
 }
 
 # By file: why it has no run.

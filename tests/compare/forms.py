@@ -116,6 +116,8 @@ def scene_forms(schemes):
         yield "spatula-vibration, bent, " + scheme, "spatula-vibration", [*BEND, SCHEME + scheme]
     yield "mems-beam", "mems-beam", [FINAL + "0.1"]
     yield "pillar", "pillar", ["Mesh/Box/Divisions={20, 8}", FINAL + "0.5"]
+    yield "pillar-backing", "pillar-backing", ["Mesh/Parts/pillar/Box/Divisions={20, 8}",
+                                               "Mesh/Parts/backing/Box/Divisions={12, 12}", FINAL + "0.5"]
     yield "afm", "afm", [FINAL + "0.5"]
     yield "afm-rough", "afm-rough", ROUGH
     yield "afm-rough, scanned", "afm-rough", [*ROUGH, *SCANNED]

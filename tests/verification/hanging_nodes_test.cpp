@@ -10,12 +10,10 @@
 #include "mesh/selection.hpp"
 #include "mesh/splitting/refine.hpp"
 #include "mesh/tied_nodes.hpp"
-#include "model/state_report.hpp"
-#include "solve/choice/linear_solver_defaults.hpp"
-#include "support/comparison.hpp"
 #include "support/contact_element.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
+#include "support/tied_bodies.hpp"
 #include "time/integrator.hpp"
 #include "time/schemes.hpp"
 
@@ -53,37 +51,10 @@ Mesh refined_box(int dimension, ContactElement element, bool distorted = true) {
   return mesh;
 }
 
-Integrator integrator_of(Model& model, const Table& table, bool matrix_free) {
-  if (!matrix_free) return test::direct(model, table);
-  Teuchos::ParameterList linear;
-  linear.set("Linear Solver Type", "Belos").set("Preconditioner Type", "Chebyshev").set("Operator", "Matrix-Free");
-  return Integrator(model, table, std::make_shared<LinearSolverFactory>(completed_linear_solver(linear, {})), {});
-}
-
 void run_patch(int dimension, const Table& table, ContactElement element, Formulation formulation, bool matrix_free) {
   Material rubber = test::elastic(neo_hooke, 0.3);
   rubber.formulation = formulation;
-  const auto model = test::model_of(refined_box(dimension, element), rubber, Inertia::Consistent);
-  const LocalMesh& local = model->mesh();
-  ASSERT_GT(local.global_tied, 0);
-  const auto d = static_cast<std::size_t>(dimension);
-  const double g[3][3] = {{0.2, -0.1, 0.05}, {0.15, -0.12, 0.1}, {-0.05, 0.08, 0.1}};
-  std::vector<double> velocity(static_cast<std::size_t>(model->space().local()), 0.0);
-  for (std::size_t n = 0; n < velocity.size() / d; ++n)
-    for (std::size_t i = 0; i < d; ++i)
-      for (std::size_t j = 0; j < d; ++j) velocity[n * d + i] += g[i][j] * local.coordinates[n * d + j];
-  const auto unit_rate = rate_ramp(1.0, 0.0, 0.0, RampShape::Linear);  // u = t
-  for (const int node : local.node_sets[local.node_set("surface")])
-    for (int i = 0; i < dimension && !local.is_tied(node); ++i) {
-      const int dof = node * dimension + i;
-      model->constraints().add(dof, velocity[static_cast<std::size_t>(dof)], unit_rate);
-    }
-  Integrator integrator = integrator_of(*model, table, matrix_free);
-  integrator.initialize(std::vector<double>(velocity.size(), 0.0), velocity, 0.0);
-  for (int step = 0; step < 4; ++step) ASSERT_TRUE(integrator.step(0.25).converged) << table.name;
-  const double tolerance = matrix_free ? 1e-8 : 1e-10;
-  EXPECT_LT(test::distance(integrator.state().u, velocity), tolerance) << table.name << ", " << dimension << "D";
-  EXPECT_LT(test::distance(integrator.state().v, velocity), tolerance) << table.name << ", " << dimension << "D";
+  test::expect_affine_motion(refined_box(dimension, element), rubber, "surface", table, matrix_free);
 }
 
 TEST(HangingNodesTest, AffineMotionsAreReproduced) {
@@ -110,44 +81,9 @@ TEST(HangingNodesTest, AffineMotionsAreReproducedMatrixFree) {
       run_patch(dimension, newmark(0.25, 0.5), element, Formulation::Standard, true);
 }
 
-/// Spins and stretches a free body.
-std::vector<double> spin_and_stretch(const Model& model, std::vector<double>& velocity) {
-  const LocalMesh& mesh = model.mesh();
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  std::vector<double> u = test::at_rest(model);
-  velocity = u;
-  for (std::size_t n = 0; n < u.size() / d; ++n) {
-    const double* x = &mesh.coordinates[n * d];
-    if (mesh.is_derivative(n)) continue;
-    u[n * d] = 0.1 * std::sin(x[0]);
-    u[n * d + 1] = 0.05 * x[0] * x[1] / 3;
-    velocity[n * d] = 0.3 - 0.2 * x[1];
-    velocity[n * d + 1] = 0.2 * x[0];
-    if (d == 3) velocity[n * d + 2] = 0.1 * x[0];
-  }
-  model.space().interpolate_tied(u.data());
-  model.space().interpolate_tied(velocity.data());
-  return u;
-}
-
 void expect_conserved(int dimension, ContactElement element, const Table& table, int steps, double tolerance,
                       bool angular = true) {
-  const auto model =
-      test::model_of(refined_box(dimension, element), test::elastic(neo_hooke, 0.3), Inertia::Consistent);
-  std::vector<double> velocity;
-  const std::vector<double> u = spin_and_stretch(*model, velocity);
-  Integrator integrator = test::direct(*model, table);
-  integrator.initialize(u, velocity, 0.0);
-  const auto report = [&] { return StateReport(*model, integrator.state()); };
-  const Momenta before = report().momenta();
-  const double energy = before.kinetic_energy + report().elastic_energy();
-  for (int step = 0; step < steps; ++step) ASSERT_TRUE(integrator.step(0.1).converged) << table.name;
-  const Momenta after = report().momenta();
-  EXPECT_NEAR(after.kinetic_energy + report().elastic_energy(), energy, tolerance * energy) << table.name;
-  for (std::size_t i = 0; i < before.linear.size(); ++i)
-    EXPECT_NEAR(after.linear[i], before.linear[i], tolerance * 10) << table.name;
-  for (std::size_t i = 0; i < before.angular.size() && angular; ++i)
-    EXPECT_NEAR(after.angular[i], before.angular[i], tolerance * 10) << table.name;
+  test::expect_conserved(refined_box(dimension, element), table, steps, tolerance, angular);
 }
 
 TEST(HangingNodesTest, EnergyMomentumConservesBothMomentaAndEnergy) {

@@ -3,6 +3,8 @@
 
 #include <cstdio>
 
+#include "mesh/selection.hpp"
+#include "mesh/splitting/refine.hpp"
 #include "verification/collision.hpp"
 
 namespace ixos {
@@ -61,6 +63,44 @@ TEST(PairConservationTest, EnergyMomentumTakesProjectionsThatRoll) {
     const StepResult result = simulation.integrator().step(0.0005);
     ASSERT_TRUE(result.converged) << step << ": " << result.reason;
     EXPECT_NEAR(test::total_energy(simulation), before, 1e-11 * Collision::work_of_adhesion);
+  }
+}
+
+/// Two balls whose cells between them are split once: their surfaces have hanging nodes. The set "both" has both.
+Mesh refined_balls() {
+  Mesh mesh = test::two_balls(3, {6.1, 1.9, 1.5}, 2, 1);
+  RefinedRegion between;
+  between.sphere_radius = 1.5;
+  between.sphere_center = {3.05, 0.95, 0.75};
+  refine(mesh, {{"between", between}}, 1);
+  SideSet both{"both", {}};
+  for (const char* name : {"a_surface", "b_surface"}) {
+    const SideSet& own = side_set_named(mesh, name);
+    both.sides.insert(both.sides.end(), own.sides.begin(), own.sides.end());
+  }
+  mesh.side_sets.push_back(both);
+  return mesh;
+}
+
+/// Passes over two surfaces, and over one that has both bodies.
+TEST(PairConservationTest, SurfacesWithHangingNodesKeepEnergyAndBothMomenta) {
+  const Mesh mesh = refined_balls();
+  ASSERT_FALSE(mesh.ties.empty());
+  for (const char* surface : {"a_surface", "both"}) {
+    SCOPED_TRACE(surface);
+    const std::string other = surface == std::string("both") ? "both" : "b_surface";
+    Collision collision("Energy-Momentum", 0.002, "",
+                        count("Surface Points", 3) + number("Cutoff", 1) + word("Smoothing", "None") +
+                            (other == "both" ? number("Exclusion", 3.14) : ""),
+                        mesh, surface, other);
+    const KeptErrors errors = test::kept_errors(collision, 0.002, 30);
+    EXPECT_LT(errors.linear, 1e-12);
+    EXPECT_LT(errors.angular, 1e-11);
+    // Points of one surface with itself begin and end to act within steps, with or without hanging nodes.
+    if (other != "both") {
+      EXPECT_LT(errors.energy, 1e-11);
+    }
+    EXPECT_LT(errors.least_gap, 0.45);
   }
 }
 

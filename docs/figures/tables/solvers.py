@@ -136,6 +136,14 @@ def measure_products(context):
     return list(rows.values())
 
 
+def measure_ties(context):
+    """Times the works of a tangent for each unknown, with and without ties, in turns within the program."""
+    text = context.run_text("tie_times", *context.pick((30, 20), (8, 2)))
+    return [{"work": row["for each unknown"], "ns": float(row["without ties, ns"]),
+             "hanging": float(row["hanging nodes, ratio"]), "tied": float(row["tied surfaces, ratio"])}
+            for row in markdown_rows(text)]
+
+
 # Scene and settings of runs that start Newton's method from two guesses.
 FRICTION = ["Interactions/Wall/Friction/Type=Extended Amontons", "Interactions/Wall/Friction/Coefficient=0.3"]
 STARTS = {"strip": ("strip", [f"{FINAL_TIME}=40"]), "strip, friction": ("strip", [f"{FINAL_TIME}=40", *FRICTION]),
@@ -191,6 +199,10 @@ TABLES = [
                    Column("s, MueLu", "{:.3f}", "s MueLu, assembled")]),
     Table(name="solvers-products", page=PAGE, code=(*MECHANICS, "tests/bench/product_times.cpp"), minutes=1,
           needs=("product_times",), measure=measure_products, columns=[Column("product"), *product_columns()]),
+    Table(name="solvers-ties", page=PAGE, code=(*MECHANICS, "tests/bench/tie_times.cpp"), minutes=1,
+          needs=("tie_times",), measure=measure_ties,
+          columns=[Column("work, for each unknown", key="work"), Column("hanging nodes", "{:.2f}", "hanging"),
+                   Column("tied surfaces", "{:.2f}", "tied"), Column("ns without ties", "{:.0f}", "ns")]),
     Table(name="solvers-start", page=PAGE, code=MECHANICS, minutes=1.2, measure=measure_starts,
           columns=[Column("scene"), Column("Nearest to Last Displacement", "{:.2f}", "ratio"),
                    *(Column(f"iterations a step, {guess}", "{:.2f}", guess) for guess in GUESSES)]),

@@ -62,15 +62,9 @@ std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set) {
     if (left != 0) tied.insert(edge);
   for (const auto& [a, b, middle] : mesh.hanging_edges)
     for (const Edge& edge : {edge_key(a, b), edge_key(a, middle), edge_key(middle, b)}) tied.insert(edge);
-  // Edges on periodic sides: both of a pair must have the same field.
-  std::set<int> periodic;
-  for (const Tie& tie : mesh.ties)
-    if (!tie.in_place) {
-      periodic.insert(tie.node);
-      periodic.insert(tie.masters.begin(), tie.masters.end());
-    }
+  const std::set<int> followed(mesh.nodes_of_tied_sides.begin(), mesh.nodes_of_tied_sides.end());
   for (const auto& [edge, left] : balance)
-    if (periodic.count(edge.first) > 0 && periodic.count(edge.second) > 0) tied.insert(edge);
+    if (followed.count(edge.first) > 0 && followed.count(edge.second) > 0) tied.insert(edge);
   return tied;
 }
 

@@ -77,7 +77,8 @@ std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) 
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
     const std::string& type = node.text("Type");
     if (type == "Traction") inspection.sides(node, false);
-    if (type == "Displacement" || type == "Point Force") inspection.nodes(node, type == "Displacement");
+    if (type == "Displacement" || type == "Symmetry") inspection.nodes(node, true);
+    if (type == "Point Force") inspection.nodes(node, false);
   }
   for (const SceneNode& node : scene.sublist("Grips").sublists()) inspection.nodes(node, true);
   if (lists.size() == 1 && lists.front().path() == "Mesh")

@@ -89,7 +89,7 @@ std::vector<bool> held_nodes(const SceneNode& scene, const Mesh& mesh) {
       for (int number : set->nodes) held[static_cast<std::size_t>(number)] = true;
   };
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists())
-    if (node.text("Type") == "Displacement") hold(node);
+    if (node.text("Type") == "Displacement" || node.text("Type") == "Symmetry") hold(node);
   for (const SceneNode& node : scene.sublist("Grips").sublists()) hold(node);
   return held;
 }

@@ -14,6 +14,7 @@
 #include "interaction/catalogue.hpp"
 #include "interaction/obstacle.hpp"
 #include "mesh/cell_sides.hpp"
+#include "mesh/fitted_normal.hpp"
 #include "mesh/free_motions.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
@@ -49,7 +50,9 @@ class Supports {
 
   void add_condition(const SceneNode& node) {
     const NodeSet* set = find_set(mesh_.node_sets, node.text("Node Set"));
-    if (set == nullptr || node.text("Type") != "Displacement") return;
+    if (set == nullptr) return;
+    if (node.text("Type") == "Symmetry") return at(node.path_of("Node Set"), [&] { hold_in_plane(*set); });
+    if (node.text("Type") != "Displacement") return;
     hold(*set, components_of(node.text("Components"), mesh_.dimension));
   }
 
@@ -145,6 +148,15 @@ class Supports {
         direction[static_cast<std::size_t>(axis)] = 1;
         bodies_[part_of(node)].outer.push_back({place(node), direction});
       }
+  }
+
+  void hold_in_plane(const NodeSet& set) {
+    std::vector<Point> places;
+    for (const int node : set.nodes)
+      if (!mesh_.is_derivative(node)) places.push_back(place(node));
+    const Point normal = fitted_normal(mesh_.dimension, places);
+    for (const int node : set.nodes)
+      if (!mesh_.is_derivative(node)) bodies_[part_of(node)].outer.push_back({place(node), normal});
   }
 
   void hold_all(std::vector<Restraint>& restraints, const Point& x) const {

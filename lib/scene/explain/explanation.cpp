@@ -145,6 +145,9 @@ std::string surroundings(const Simulation& simulation) {
       text += fmt::format("Boundary condition {}: node set \"{}\", components {}, {}\n", name,
                           list.get<std::string>("Node Set"), list.get<std::string>("Components"),
                           history.empty() ? "held" : "driven by history " + history);
+    else if (type == "Symmetry")
+      text += fmt::format("Boundary condition {}: the plane of node set \"{}\" is one of symmetry\n", name,
+                          list.get<std::string>("Node Set"));
     else
       text += fmt::format("Boundary condition {}: {}, {}\n", name, type,
                           history.empty() ? "constant" : "driven by history " + history);

@@ -23,7 +23,8 @@ bool prescribes_displacements(const Simulation& simulation) {
   const Teuchos::ParameterList& conditions = simulation.parameters().sublist("Boundary Conditions");
   const auto all = entries(conditions);
   return std::any_of(all.begin(), all.end(), [&](const auto& entry) {
-    return conditions.sublist(entry.first).template get<std::string>("Type") == "Displacement";
+    const auto type = conditions.sublist(entry.first).template get<std::string>("Type");
+    return type == "Displacement" || type == "Symmetry";
   });
 }
 

@@ -52,13 +52,16 @@ void add_load(const SceneNode& node, const Histories& histories, Model& model) {
 void add_conditions(const SceneNode& conditions, const Histories& histories, Model& model) {
   for (const SceneNode& node : conditions.sublists()) {
     const std::string& type = node.text("Type");
-    const bool displacement = type == "Displacement";
-    require_given(node, "Node Set", displacement || type == "Point Force");
+    const bool displacement = type == "Displacement", symmetry = type == "Symmetry";
+    require_given(node, "Node Set", displacement || symmetry || type == "Point Force");
     require_given(node, "Side Set", type == "Traction");
-    require_given(node, "Vector", !displacement);
+    require_given(node, "Vector", !displacement && !symmetry);
+    if (symmetry) require_given(node, "History", false);
     if (type != "Body Force" && type != "Gravity") require_given(node, "Block", false);
     if (displacement)
       add_displacement(node, histories, model);
+    else if (symmetry)
+      at(node.path_of("Node Set"), [&] { hold_in_plane(model, node.text("Node Set")); });
     else
       add_load(node, histories, model);
   }

@@ -81,7 +81,7 @@ Driving::Driving(const SceneNode& scene, const Histories& histories, const StepC
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
     if (node.text("Type") == "Displacement")
       add_motion(node, node.text("Components"), node.text("History"), histories, parts_of(node, mesh));
-    else
+    else if (node.text("Type") != "Symmetry")
       add_load(node, histories, mesh);
   }
   for (const SceneNode& node : scene.sublist("Grips").sublists()) add_grip(node, histories, mesh);

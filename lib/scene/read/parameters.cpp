@@ -57,6 +57,16 @@ void add_mesh(List& list) {
                            "refer to the new places."));
   declare_set(list.sublist("Sets", false, "Additional sets, selected by region. The scene chooses their names.")
                   .sublist(any_name));
+  List& ties = list.sublist("Ties", false,
+                            "Pairs of surfaces that move as one though their meshes differ. The scene chooses the "
+                            "names of these lists.")
+                   .sublist(any_name);
+  ties.set("Side Set", "", "Side set whose nodes follow the other one. That must cover it.");
+  ties.set("Primary Side Set", "", "Side set that it follows.");
+  ties.set("Tolerance", 0.0,
+           "Distance up to which the surfaces may be apart [L0]: the nodes of the Side Set are moved onto the other "
+           "one. With 0, it is a twentieth of the size of a side.",
+           at_least(0));
   List& periodic = list.sublist("Periodic", false,
                                 "Pairs of sides that are one: a wave that leaves through the one comes in through the "
                                 "other. Both have the same mesh, and one is the other moved by a translation. The "
@@ -72,12 +82,13 @@ void add_mesh(List& list) {
 
 void add_condition(List& list) {
   list.set("Type", "Displacement",
-           "Kind of condition. Displacement prescribes a displacement; Traction is a force per reference length (2D) "
+           "Kind of condition. Displacement prescribes a displacement; Symmetry keeps nodes in their plane, of any "
+           "direction; Traction is a force per reference length (2D) "
            "or area (3D), Body Force a force per reference volume, Gravity an acceleration that the density "
            "multiplies, Point Force a force on each node of a set. In plane strain all forces are per depth; on an "
            "axisymmetric mesh a Point Force is the force on the whole ring of a node, and Gravity acts along y.",
-           one_of({"Displacement", "Traction", "Body Force", "Gravity", "Point Force"}));
-  list.set("Node Set", "", "Node set of a Displacement or of a Point Force.");
+           one_of({"Displacement", "Symmetry", "Traction", "Body Force", "Gravity", "Point Force"}));
+  list.set("Node Set", "", "Node set of a Displacement, a Symmetry or a Point Force.");
   list.set("Side Set", "", "Side set of a Traction.");
   list.set("Block", "", "Block of a Body Force or of Gravity. If empty, the load acts on all blocks.");
   list.set("Components", "all", "Directions of a Displacement.",

@@ -9,6 +9,7 @@
 
 #include "io/mesh_file.hpp"
 #include "mesh/generators/given.hpp"
+#include "mesh/mortar/tied_surfaces.hpp"
 #include "mesh/periodic_sides.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/soundness.hpp"
@@ -40,10 +41,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Checks the cells and adds the sets.
+/// Checks the cells, and adds sets and ties.
 void finish(const SceneNode& node, Mesh& mesh) {
   at(node.path(), [&] { check_cells(mesh); });
   add_sets(node.sublist("Sets"), mesh);
+  const std::vector<SceneNode> ties = node.sublist("Ties").sublists();
+  for (const SceneNode& own : ties)
+    at(own.path(),
+       [&] { tie_surfaces(mesh, own.text("Side Set"), own.text("Primary Side Set"), own.number("Tolerance")); });
+  if (!ties.empty()) at(node.path_of("Ties"), [&] { check_cells(mesh); });  // nodes moved
   for (const SceneNode& own : node.sublist("Periodic").sublists())
     at(own.path(),
        [&] { make_periodic(mesh, own.text("Side Set"), own.text("Primary Side Set"), own.number("Tolerance")); });

@@ -12,6 +12,7 @@ bool has_quadratic_cells(const LocalMesh& mesh) {
 }
 
 std::string term_without_coarse(const Model& model) {
+  if (model.space().maximum(model.constraints().planes().empty() ? 0 : 1) > 0) return "a plane of symmetry";
   std::string name;
   for (const NamedForceTerm& named : model.force_terms()) {
     const auto action = named.term->create_action();

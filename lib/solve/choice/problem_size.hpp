@@ -11,7 +11,8 @@ namespace ixos {
 bool has_quadratic_cells(const LocalMesh& mesh);
 
 /// Returns, in quotes, the name of the last term whose tangent can be applied without a matrix, but has no Galerkin
-/// product on linear cells (TangentAction::has_coarse()); empty if there is none.
+/// product on linear cells (TangentAction::has_coarse()), or "a plane of symmetry"; empty if there is neither.
+/// Collective.
 std::string term_without_coarse(const Model& model);
 
 /// Returns the properties of the derivatives of a model's semi-discrete equation, for solvers that no scene describes:

@@ -36,6 +36,8 @@ void ScaledMass::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, d
     const auto from = x.getVector(j)->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (std::size_t i = 0; i < scale_.size(); ++i) x_[i] = scale_[i] * from(i, 0);
     for (int dof : model_.constraints().dofs()) x_[static_cast<std::size_t>(dof)] = 0;
+    const NodePlanes& planes = model_.constraints().planes();
+    planes.project(x_.data(), model_.mesh().owned_nodes);
     model_.space().update_ghosts(x_.data());
     model_.mass()->multiply(x_.data(), product_.data());
     for (std::size_t i = 0; i < scale_.size(); ++i) product_[i] *= scale_[i];
@@ -43,6 +45,8 @@ void ScaledMass::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, d
       const auto i = static_cast<std::size_t>(dof);
       if (i < scale_.size()) product_[i] = from(i, 0);
     }
+    planes.project(product_.data(), model_.mesh().owned_nodes);
+    planes.add_across(1, from.data(), product_.data(), model_.mesh().owned_nodes);
     const auto to = y.getVectorNonConst(j)->getLocalViewHost(Tpetra::Access::ReadWrite);
     for (std::size_t i = 0; i < scale_.size(); ++i)
       to(i, 0) = beta == 0 ? alpha * product_[i] : alpha * product_[i] + beta * to(i, 0);

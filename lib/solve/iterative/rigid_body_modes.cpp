@@ -7,7 +7,11 @@
 namespace ixos {
 
 Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model) {
-  return rigid_body_modes(model.mesh(), model.space(), model.constraints().dofs());
+  const auto modes = rigid_body_modes(model.mesh(), model.space(), model.constraints().dofs());
+  const auto view = modes->getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (std::size_t m = 0; m < modes->getNumVectors(); ++m)
+    model.constraints().planes().project(&view(0, m), model.mesh().owned_nodes);
+  return modes;
 }
 
 Teuchos::RCP<MultiVector> rigid_body_modes(const LocalMesh& mesh, const DofSpace& space,

@@ -84,6 +84,7 @@ std::string why_wall_is_spatial(const List& wall) {
 std::string why_condition_is_spatial(const List& condition) {
   const std::string& type = condition.get<std::string>("Type");
   if (type == "Point Force") return "it acts on points";
+  if (type == "Symmetry") return "it is a plane of symmetry";
   if (type != "Displacement") {
     if (type == "Traction" && is_across(condition.get<std::string>("Side Set")))
       return "it acts on " + condition.get<std::string>("Side Set");

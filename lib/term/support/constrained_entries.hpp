@@ -14,12 +14,14 @@ class ConstrainedEntries {
  public:
   ConstrainedEntries(const Pattern& pattern, const Constraints& constraints);
 
-  /// Returns the number of degrees of freedom that were constrained when it was made.
-  std::size_t constraints() const { return constraints_; }
-  /// Replaces the rows and columns by `diagonal` I.
+  /// Returns whether these are the constraints that it was made of, none added since.
+  bool are_of(const Constraints& constraints) const {
+    return constraints_ == constraints.dofs().size() && planes_.size() == constraints.planes().size();
+  }
+  /// Replaces the rows and columns by `diagonal` I; of nodes in planes, those across the planes, see NodePlanes.
   void constrain(double diagonal, double* values) const;
   /// Sets result[r] = sum of K_rp x_p over constrained columns p, for free owned rows r, 0 for constrained ones; x
-  /// local.
+  /// local. Forces across planes drop out.
   void multiply(const double* values, const double* x, double* result) const;
 
  private:
@@ -27,7 +29,17 @@ class ConstrainedEntries {
     std::size_t place;
     int row, column;
   };
+  /// A node pair of which one node, or both, are in planes.
+  struct Block {
+    std::size_t offset, stride;
+    int row, column;
+  };
+  void project(const Block& block, double diagonal, double* values) const;
+
   std::size_t constraints_;
+  std::size_t dimension_;
+  NodePlanes planes_;
+  std::vector<Block> blocks_;
   int rows_;                        ///< owned degrees of freedom
   std::vector<std::size_t> zeros_;  ///< all places but those of the diagonal
   std::vector<std::size_t> diagonal_;

@@ -9,6 +9,10 @@
 namespace ixos {
 namespace {
 
+const char* const across_plane = "a condition moves a node across a plane that another one keeps it in";
+
+bool is_motion(const MotionShare& share) { return share.motion != nullptr; }
+
 /// Without a motion the factor does not matter: both are held at zero.
 bool are_same(const MotionShare& a, const MotionShare& b) {
   return a.motion == b.motion && (a.motion == nullptr || a.factor == b.factor);
@@ -21,6 +25,9 @@ void Constraints::check(int dof, double factor, const std::shared_ptr<const Time
 }
 
 void Constraints::check(int dof, const std::vector<MotionShare>& shares) const {
+  if (dimension_ > 0 && std::any_of(shares.begin(), shares.end(), is_motion))
+    for (const Vec<3>& normal : planes_.normals(dof / static_cast<int>(dimension_)))
+      if (std::abs(normal[dof_index(dof) % dimension_]) > 1e-9) throw InputError(across_plane);
   if (!holds(dof)) return;
   std::vector<MotionShare> known;
   for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k)
@@ -35,16 +42,43 @@ void Constraints::add(int dof, double factor, const std::shared_ptr<const TimeFu
   add(dof, {{factor, motion}});
 }
 
-void Constraints::add(int dof, const std::vector<MotionShare>& shares) {
+void Constraints::refuse_closed() const {
   if (closed_)
     throw std::logic_error("a constraint is added after an integrator or an evaluator was made of the model");
+}
+
+void Constraints::add(int dof, const std::vector<MotionShare>& shares) {
+  refuse_closed();
   check(dof, shares);
   if (holds(dof)) return;
   if (index_.size() <= dof_index(dof)) index_.resize(dof_index(dof) + 1, -1);
   index_[dof_index(dof)] = static_cast<int>(entries_.size());
   dofs_.push_back(dof);
+  if (dimension_ > 0) planes_.hold(dof / static_cast<int>(dimension_), dof_index(dof) % dimension_);
   if (shares.empty()) return push(dof, 0.0, nullptr);
   for (const auto& [factor, motion] : shares) push(dof, factor, motion);
+}
+
+bool Constraints::moves(int dof) const {
+  if (!holds(dof)) return false;
+  for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k)
+    if (motions_[entries_[k].motion] != nullptr) return true;
+  return false;
+}
+
+void Constraints::check_plane(int node, std::size_t dimension, const Vec<3>& normal) const {
+  for (std::size_t i = 0; i < dimension; ++i)
+    if (std::abs(normal[i]) > 1e-9 * length(normal) && moves(node * static_cast<int>(dimension) + static_cast<int>(i)))
+      throw InputError(across_plane);
+}
+
+void Constraints::hold_in_plane(int node, std::size_t dimension, const Vec<3>& normal) {
+  refuse_closed();
+  check_plane(node, dimension, normal);
+  dimension_ = dimension;
+  planes_.add(node, dimension, normal);
+  for (std::size_t i = 0; i < dimension; ++i)
+    if (holds(node * static_cast<int>(dimension) + static_cast<int>(i))) planes_.hold(node, i);
 }
 
 void Constraints::push(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) {

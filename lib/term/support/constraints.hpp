@@ -6,6 +6,7 @@
 
 #include "histories/rigid_motion.hpp"
 #include "histories/time_function.hpp"
+#include "term/support/node_planes.hpp"
 
 namespace ixos {
 
@@ -22,21 +23,31 @@ class Constraints {
   /// Throw the InputError of add(), and change nothing.
   void check(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) const;
   void check(int dof, const std::vector<MotionShare>& shares) const;
+  /// Keeps a node in a plane through it: normal . u = 0. It may have several planes; a component that a condition holds
+  /// at zero stays so. `dimension`: that of the space. Throws InputError if a condition moves the node across the
+  /// plane; check() and add() throw it where the plane was first. Throws std::logic_error after Model::close().
+  void hold_in_plane(int node, std::size_t dimension, const Vec<3>& normal);
+  /// Throws the InputError of hold_in_plane().
+  void check_plane(int node, std::size_t dimension, const Vec<3>& normal) const;
   /// Ends the adding, see Model::close().
   void close() const { closed_ = true; }
 
-  bool empty() const { return entries_.empty(); }
+  bool empty() const { return entries_.empty() && planes_.empty(); }
   bool holds(int dof) const { return static_cast<std::size_t>(dof) < index_.size() && index_[dof_index(dof)] >= 0; }
   const std::vector<int>& dofs() const { return dofs_; }
+  const NodePlanes& planes() const { return planes_; }
   /// Returns whether any degree of freedom moves.
   bool driven() const { return driven_; }
 
-  /// Puts displacement, velocity and acceleration at `time` into local arrays; each may be null.
+  /// Puts displacement, velocity and acceleration at `time` into local arrays; each may be null. Nodes in planes stay
+  /// as they are.
   void set(double time, double* u, double* v, double* a) const;
   /// Returns whether all motions and their derivatives are defined at `time`.
   bool are_finite(double time) const;
 
  private:
+  bool moves(int dof) const;
+  void refuse_closed() const;
   void push(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion);
   static std::size_t dof_index(int dof) { return static_cast<std::size_t>(dof); }
   struct Entry {
@@ -48,6 +59,8 @@ class Constraints {
   std::vector<Entry> entries_;  ///< in the order of dofs_; a sum has several, one after the other
   std::vector<int> index_;      ///< by dof: its first entry, or -1
   std::vector<std::shared_ptr<const TimeFunction>> motions_;
+  NodePlanes planes_;
+  std::size_t dimension_ = 0;  ///< of the space, if there are planes
   bool driven_ = false;
   mutable bool closed_ = false;
 };

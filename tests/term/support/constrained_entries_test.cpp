@@ -57,7 +57,7 @@ TEST_F(ConstrainedEntriesTest, BecomeADiagonal) {
 TEST_F(ConstrainedEntriesTest, MultiplyTheirColumns) {
   std::vector<double> found(2 * static_cast<std::size_t>(pattern_.rows()), 99.0);
   const ConstrainedEntries entries_of(pattern_, constraints_);
-  EXPECT_EQ(entries_of.constraints(), constraints_.dofs().size());
+  EXPECT_TRUE(entries_of.are_of(constraints_));
   entries_of.multiply(values_.data(), x_.data(), found.data());
   pattern_.for_each_row(values_.data(), [&](int row, const auto& entries) {
     double sum = 0;
@@ -66,6 +66,24 @@ TEST_F(ConstrainedEntriesTest, MultiplyTheirColumns) {
     });
     EXPECT_EQ(found[static_cast<std::size_t>(row)], sum) << row;
   });
+}
+
+TEST_F(ConstrainedEntriesTest, ProjectOntoThePlanesOfNodes) {
+  Constraints planes;
+  for (int node = 0; node < local_.nodes(); ++node)
+    if (local_.original_ids[static_cast<std::size_t>(node)] % 3 == 0)
+      planes.hold_in_plane(node, 2, {std::cos(1.0 * local_.original_ids[static_cast<std::size_t>(node)]), 0.7, 0});
+  std::vector<double> found = values_;
+  ConstrainedEntries(pattern_, planes).constrain(7.0, found.data());
+  // (P K P + 7 (I - P)) x, with the projection of vectors.
+  std::vector<double> inside = x_, expected(x_.size(), 0.0), product(x_.size(), 0.0);
+  planes.planes().project(inside.data(), local_.nodes());
+  add_matrix_product(pattern_, values_.data(), 1.0, inside.data(), expected.data());
+  planes.planes().project(expected.data(), local_.owned_nodes);
+  planes.planes().add_across(7.0, x_.data(), expected.data(), local_.owned_nodes);
+  add_matrix_product(pattern_, found.data(), 1.0, x_.data(), product.data());
+  for (int i = 0; i < 2 * local_.owned_nodes; ++i)
+    EXPECT_NEAR(product[static_cast<std::size_t>(i)], expected[static_cast<std::size_t>(i)], 1e-12) << i;
 }
 
 }  // namespace

@@ -88,5 +88,21 @@ TEST(ConstraintsSerialTest, AnUndefinedMotionIsNotFinite) {
   EXPECT_FALSE(rooted.are_finite(-1.0));
 }
 
+TEST(ConstraintsSerialTest, PlanesAndMotionsAcrossThemExcludeEachOther) {
+  const auto motion = sine(0, 1, 1, 0);
+  Constraints first;
+  first.hold_in_plane(1, 2, {1, 1, 0});
+  EXPECT_FALSE(first.empty());
+  EXPECT_FALSE(first.holds(2));
+  EXPECT_THROW(first.add(2, 1.0, motion), InputError);
+  EXPECT_NO_THROW(first.add(0, 1.0, motion));  // of another node
+  first.add(3, 0.0, nullptr);                  // held at zero: so is the other component, by the plane
+  EXPECT_EQ(first.planes().normals(1), (std::vector<Vec<3>>{{1, 0, 0}}));
+  Constraints second;
+  second.add(2, 1.0, motion);
+  EXPECT_THROW(second.hold_in_plane(1, 2, {1, 1, 0}), InputError);
+  EXPECT_NO_THROW(second.hold_in_plane(1, 2, {0, 1, 0}));
+}
+
 }  // namespace
 }  // namespace ixos

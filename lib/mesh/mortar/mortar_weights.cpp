@@ -1,0 +1,102 @@
+#include "mesh/mortar/mortar_weights.hpp"
+
+#include <cmath>
+#include <set>
+
+#include "mesh/mortar/mortar_sums.hpp"
+
+namespace ixos {
+namespace {
+
+using NodeWeights = std::map<int, std::map<int, double>>;
+
+/// Returns the nodes of the corners that both curves have, and those of the primary curve there.
+NodeWeights common_ends(const MortarSurfaces& curves) {
+  NodeWeights found;
+  const std::vector<FacetEnd> primary = curve_ends(curves.primary);
+  for (const FacetEnd& end : curve_ends(curves.secondary))
+    for (const FacetEnd& other : primary) {
+      double reach = 0;
+      for (const Facet& curve : curves.secondary)
+        if (curve.nodes()[0] == end.node || curve.nodes()[1] == end.node) reach = curves.reach(curve);
+      if (length(other.place - end.place) <= reach) found[end.node] = {{other.node, 1.0}};
+    }
+  return found;
+}
+
+/// Returns the weights of the nodes on the part of the boundary that both surfaces share.
+MortarWeights common_boundary(const MortarSurfaces& surfaces) {
+  if (surfaces.secondary.front().dimension() == 1) return {common_ends(surfaces)};
+  MortarSurfaces edges{boundary_edges(surfaces.secondary), boundary_edges(surfaces.primary), false, surfaces.reach};
+  const std::vector<FacingParts> all = all_facing_parts(edges);
+  std::vector<Facet> shared;
+  std::vector<FacingParts> parts;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (is_covered(all[k])) {
+      shared.push_back(edges.secondary[k]);
+      parts.push_back(all[k]);
+    }
+  if (shared.empty()) return {};
+  edges.secondary = shared;
+  return mortar_weights(edges, parts);
+}
+
+/// Returns, by node of the boundary, its neighbours inside; empty if one of them has none.
+std::map<int, std::set<int>> heirs_of(const std::vector<Facet>& facets, const NodeWeights& boundary) {
+  std::map<int, std::set<int>> heirs;
+  for (const auto& entry : boundary) heirs[entry.first];
+  for (const Facet& facet : facets)
+    for (const int node : facet.nodes()) {
+      const auto found = heirs.find(node);
+      if (found == heirs.end()) continue;
+      for (const int other : facet.nodes())
+        if (heirs.count(other) == 0) found->second.insert(other);
+    }
+  for (const auto& entry : heirs)
+    if (entry.second.empty()) return {};
+  return heirs;
+}
+
+void add(double factor, const std::map<int, double>& from, std::map<int, double>& to) {
+  for (const auto& [node, value] : from) to[node] += factor * value;
+}
+
+}  // namespace
+
+std::vector<FacingParts> all_facing_parts(const MortarSurfaces& surfaces) {
+  const FacingFacets facing(surfaces.primary);
+  std::vector<FacingParts> parts;
+  for (const Facet& facet : surfaces.secondary) parts.push_back(facing.parts_of(facet, surfaces.reach(facet)));
+  return parts;
+}
+
+bool is_covered(const FacingParts& parts) {
+  constexpr double slack = 1e-5;
+  return std::abs(parts.covered - 1) <= slack;
+}
+
+MortarWeights mortar_weights(const MortarSurfaces& surfaces, const std::vector<FacingParts>& parts) {
+  MortarSums sums(surfaces.axisymmetric);
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (!sums.add(surfaces.secondary[k], parts[k].parts)) return {{}, &surfaces.secondary[k]};
+  MortarWeights boundary = common_boundary(surfaces);
+  // An edge that cannot be projected follows the surface.
+  if (boundary.failed != nullptr) boundary.of_node.clear();
+  const std::map<int, std::set<int>> heirs = heirs_of(surfaces.secondary, boundary.of_node);
+
+  MortarWeights result;
+  for (const auto& [node, area] : sums.areas())
+    if (heirs.count(node) == 0) add(1 / area, sums.products().at(node), result.of_node[node]);
+  for (const auto& [node, own] : heirs) {
+    const std::map<int, double>& weights = boundary.of_node.at(node);
+    for (const int heir : own) {
+      const double share = 1 / (static_cast<double>(own.size()) * sums.areas().at(heir));
+      add(share, sums.products().at(node), result.of_node[heir]);
+      add(-share * sums.areas().at(node), weights, result.of_node[heir]);
+    }
+    result.of_node[node] = weights;
+  }
+  return result;
+}
+
+}  // namespace ixos

@@ -1,0 +1,143 @@
+#include "mesh/mortar/tied_surfaces.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "base/error.hpp"
+#include "mesh/cell_place.hpp"
+#include "mesh/mortar/mortar_weights.hpp"
+#include "mesh/node_place.hpp"
+#include "mesh/selection.hpp"
+#include "mesh/side_set_nodes.hpp"
+#include "mesh/tied_nodes.hpp"
+
+namespace ixos {
+namespace {
+
+/// Weights that are rounding [-].
+constexpr double no_weight = 1e-13;
+
+/// One of the two surfaces.
+struct Surface {
+  std::string name;
+  std::set<int> nodes;
+  std::vector<Facet> sides;
+};
+
+Surface surface_of(const Mesh& mesh, const std::string& name) {
+  const SideSet& set = side_set_named(mesh, name);
+  if (set.sides.empty()) throw InputError(fmt::format("the side set \"{}\" has no sides", name));
+  Surface surface{name, nodes_of(mesh, set), {}};
+  for (const Side& side : set.sides) surface.sides.emplace_back(mesh, side);
+  return surface;
+}
+
+std::string node_in_words(const Mesh& mesh, int node) {
+  return fmt::format("node {} of the mesh at {}", node + 1, point_in_words(node_place(mesh, node), mesh.dimension));
+}
+
+void refuse_nodes(const Mesh& mesh, const Surface& secondary, const Surface& primary) {
+  if (mesh.plain_nodes >= 0) throw InputError("the mesh has enriched sides; tie surfaces before it is enriched");
+  for (const int node : secondary.nodes)
+    if (primary.nodes.count(node) > 0)
+      throw InputError(
+          fmt::format("the side sets \"{}\" and \"{}\" share {}; tied surfaces belong to cells without common nodes",
+                      secondary.name, primary.name, node_in_words(mesh, node)));
+  for (const Tie& tie : mesh.ties)
+    if (secondary.nodes.count(tie.node) > 0)
+      throw InputError(
+          fmt::format("{}, of the side set \"{}\", follows other nodes already: it hangs on a coarser cell, or belongs "
+                      "to another tied surface. A Primary Side Set may have such nodes",
+                      node_in_words(mesh, tie.node), secondary.name));
+}
+
+/// A secondary surface and what it faces.
+class SurfaceTie {
+ public:
+  SurfaceTie(Mesh& mesh, const Surface& secondary, const Surface& primary, double tolerance)
+      : mesh_(mesh), secondary_(secondary), primary_(primary), tolerance_(tolerance) {}
+
+  void apply() {
+    const MortarSurfaces surfaces{secondary_.sides, primary_.sides, mesh_.axisymmetric,
+                                  [this](const Facet& side) { return reach(side); }};
+    const std::vector<FacingParts> parts = all_facing_parts(surfaces);
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      if (!is_covered(parts[k])) refuse_uncovered(surfaces.secondary[k], parts[k]);
+    const MortarWeights weights = mortar_weights(surfaces, parts);
+    if (weights.failed != nullptr)
+      throw InputError(
+          fmt::format("{} is too distorted, or the surface too bent there, to be projected onto the side "
+                      "set \"{}\"; smaller cells help",
+                      side_in_words(*weights.failed), primary_.name));
+    for (const auto& [node, masters] : weights.of_node) mesh_.ties.push_back(tie_of(node, masters));
+    place_tied_nodes(mesh_);
+    refuse_long_ways();
+  }
+
+ private:
+  std::string side_in_words(const Facet& side) const {
+    return fmt::format("the side of \"{}\" at {}", secondary_.name, point_in_words(side.middle(), mesh_.dimension));
+  }
+
+  double reach(const Facet& side) const { return tolerance_ > 0 ? tolerance_ : side.size() / 20; }
+
+  [[noreturn]] void refuse_uncovered(const Facet& side, const FacingParts& found) const {
+    if (found.covered > 1)
+      throw InputError(fmt::format("several sides of \"{}\" face {}: they cover {:.3g} times its area within {:.3g} L0",
+                                   primary_.name, side_in_words(side), found.covered, reach(side)));
+    if (found.too_far > 0)
+      throw InputError(fmt::format("{} is {:.3g} L0 away from \"{}\"; the tolerance is {:.3g} L0", side_in_words(side),
+                                   found.too_far, primary_.name, reach(side)));
+    throw InputError(
+        fmt::format("the sides of \"{}\" face {:.3g} % of {}. A primary surface must cover the secondary one; if it is "
+                    "the smaller one, exchange them",
+                    primary_.name, 100 * found.covered, side_in_words(side)));
+  }
+
+  static Tie tie_of(int node, const std::map<int, double>& masters) {
+    Tie tie{node, {}, {}};
+    double sum = 0;
+    std::size_t largest = 0;
+    for (const auto& [master, weight] : masters) {
+      if (std::abs(weight) < no_weight) continue;
+      tie.masters.push_back(master);
+      tie.weights.push_back(weight);
+      sum += weight;
+      if (std::abs(weight) > std::abs(tie.weights[largest])) largest = tie.weights.size() - 1;
+    }
+    tie.weights[largest] += 1 - sum;  // rounding: a translation moves the node as its masters, to the last digit
+    return tie;
+  }
+
+  void refuse_long_ways() const {
+    for (const Facet& side : secondary_.sides)
+      for (std::size_t a = 0; a < side.nodes().size(); ++a) {
+        const int node = side.nodes()[a];
+        const double way = length(node_place(mesh_, node) - side.places()[a]);
+        if (way > reach(side))
+          throw InputError(fmt::format("{}, of \"{}\", would move by {:.3g} L0 onto \"{}\"; the tolerance is {:.3g} L0",
+                                       node_in_words(mesh_, node), secondary_.name, way, primary_.name, reach(side)));
+      }
+  }
+
+  Mesh& mesh_;
+  const Surface& secondary_;
+  const Surface& primary_;
+  double tolerance_;
+};
+
+}  // namespace
+
+void tie_surfaces(Mesh& mesh, const std::string& secondary, const std::string& primary, double tolerance) {
+  const Surface followers = surface_of(mesh, secondary), leaders = surface_of(mesh, primary);
+  refuse_nodes(mesh, followers, leaders);
+  SurfaceTie(mesh, followers, leaders, tolerance).apply();
+  for (const Surface* surface : {&followers, &leaders})
+    mesh.nodes_of_tied_sides.insert(mesh.nodes_of_tied_sides.end(), surface->nodes.begin(), surface->nodes.end());
+}
+
+}  // namespace ixos

@@ -1,0 +1,133 @@
+#include "support/tied_bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/cell_order.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "mesh/joined_parts.hpp"
+#include "model/state_report.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
+#include "support/comparison.hpp"
+#include "support/scene_text.hpp"
+#include "support/solids.hpp"
+
+namespace ixos::test {
+namespace {
+
+/// A box whose inner nodes, and those of its sides at height 1, are off the grid.
+Mesh distorted_box(int dimension, double bottom, int along, int order) {
+  const auto d = static_cast<std::size_t>(dimension);
+  BoxShape shape;
+  shape.dimension = dimension;
+  shape.lower[d - 1] = bottom;
+  shape.lengths = {3, 3, 3};
+  shape.lengths[d - 1] = 1;
+  shape.divisions = {along, along, along};
+  shape.divisions[d - 1] = 2;
+  Mesh mesh = box(shape);
+  for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.nodes()); ++n) {
+    double* const x = &mesh.coordinates[n * d];
+    bool inside = true;
+    for (std::size_t i = 0; i + 1 < d; ++i) inside = inside && x[i] > 1e-9 && x[i] < 3 - 1e-9;
+    const bool meets = std::abs(x[d - 1] - 1) < 1e-9;
+    inside = inside && (meets || (x[d - 1] > bottom + 1e-9 && x[d - 1] < bottom + 1 - 1e-9));
+    for (std::size_t i = 0; inside && i < (meets ? d - 1 : d); ++i)
+      x[i] += 0.08 * std::sin(7.0 * static_cast<double>(n) + 2.0 * static_cast<double>(i));
+  }
+  if (order == 2) raise_order(mesh);
+  return mesh;
+}
+
+Integrator integrator_of(Model& model, const Table& table, bool matrix_free) {
+  if (!matrix_free) return direct(model, table);
+  Teuchos::ParameterList linear;
+  linear.set("Linear Solver Type", "Belos").set("Preconditioner Type", "Chebyshev").set("Operator", "Matrix-Free");
+  return Integrator(model, table, std::make_shared<LinearSolverFactory>(completed_linear_solver(linear, {})), {});
+}
+
+/// Spins and stretches a free body.
+std::vector<double> spin_and_stretch(const Model& model, std::vector<double>& velocity) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<double> u = at_rest(model);
+  velocity = u;
+  for (std::size_t n = 0; n < u.size() / d; ++n) {
+    const double* x = &mesh.coordinates[n * d];
+    if (mesh.is_derivative(n)) continue;
+    u[n * d] = 0.1 * std::sin(x[0]);
+    u[n * d + 1] = 0.05 * x[0] * x[1] / 3;
+    velocity[n * d] = 0.3 - 0.2 * x[1];
+    velocity[n * d + 1] = 0.2 * x[0];
+    if (d == 3) velocity[n * d + 2] = 0.1 * x[0];
+  }
+  model.space().interpolate_tied(u.data());
+  model.space().interpolate_tied(velocity.data());
+  return u;
+}
+
+}  // namespace
+
+Mesh stacked_boxes(int dimension, int order) {
+  Mesh mesh = joined_parts({{"lower", distorted_box(dimension, 0, 3, order)},
+                            {"upper", distorted_box(dimension, 1, dimension == 2 ? 5 : 4, order)}});
+  for (ElementBlock& block : mesh.blocks) block.name = "body";
+  const auto d = static_cast<std::size_t>(dimension);
+  NodeSet outer{"outer", {}};
+  for (int node = 0; node < mesh.nodes(); ++node)
+    for (std::size_t i = 0; i < d; ++i) {
+      const double x = mesh.coordinates[static_cast<std::size_t>(node) * d + i], end = i + 1 == d ? 2 : 3;
+      if (x > 1e-9 && x < end - 1e-9) continue;
+      outer.nodes.push_back(node);
+      break;
+    }
+  mesh.node_sets.push_back(outer);
+  return mesh;
+}
+
+void expect_affine_motion(const Mesh& mesh, const Material& material, const std::string& node_set, const Table& table,
+                          bool matrix_free) {
+  const auto model = model_of(mesh, material, Inertia::Consistent);
+  const LocalMesh& local = model->mesh();
+  const int dimension = mesh.dimension;
+  ASSERT_GT(local.global_tied, 0);
+  const auto d = static_cast<std::size_t>(dimension);
+  const double g[3][3] = {{0.2, -0.1, 0.05}, {0.15, -0.12, 0.1}, {-0.05, 0.08, 0.1}};
+  std::vector<double> velocity(static_cast<std::size_t>(model->space().local()), 0.0);
+  for (std::size_t n = 0; n < velocity.size() / d; ++n)
+    for (std::size_t i = 0; i < d; ++i)
+      for (std::size_t j = 0; j < d; ++j) velocity[n * d + i] += g[i][j] * local.coordinates[n * d + j];
+  const auto unit_rate = rate_ramp(1.0, 0.0, 0.0, RampShape::Linear);  // u = t
+  for (const int node : local.node_sets[local.node_set(node_set)])
+    for (int i = 0; i < dimension && !local.is_tied(node); ++i) {
+      const int dof = node * dimension + i;
+      model->constraints().add(dof, velocity[static_cast<std::size_t>(dof)], unit_rate);
+    }
+  Integrator integrator = integrator_of(*model, table, matrix_free);
+  integrator.initialize(std::vector<double>(velocity.size(), 0.0), velocity, 0.0);
+  for (int step = 0; step < 4; ++step) ASSERT_TRUE(integrator.step(0.25).converged) << table.name;
+  const double tolerance = matrix_free ? 1e-8 : 1e-10;
+  EXPECT_LT(distance(integrator.state().u, velocity), tolerance) << table.name << ", " << dimension << "D";
+  EXPECT_LT(distance(integrator.state().v, velocity), tolerance) << table.name << ", " << dimension << "D";
+}
+
+void expect_conserved(const Mesh& mesh, const Table& table, int steps, double tolerance, bool angular) {
+  const auto model = model_of(mesh, elastic(neo_hooke, 0.3), Inertia::Consistent);
+  std::vector<double> velocity;
+  const std::vector<double> u = spin_and_stretch(*model, velocity);
+  Integrator integrator = direct(*model, table);
+  integrator.initialize(u, velocity, 0.0);
+  const auto report = [&] { return StateReport(*model, integrator.state()); };
+  const Momenta before = report().momenta();
+  const double energy = before.kinetic_energy + report().elastic_energy();
+  for (int step = 0; step < steps; ++step) ASSERT_TRUE(integrator.step(0.1).converged) << table.name;
+  const Momenta after = report().momenta();
+  EXPECT_NEAR(after.kinetic_energy + report().elastic_energy(), energy, tolerance * energy) << table.name;
+  for (std::size_t i = 0; i < before.linear.size(); ++i)
+    EXPECT_NEAR(after.linear[i], before.linear[i], tolerance * 10) << table.name;
+  for (std::size_t i = 0; i < before.angular.size() && angular; ++i)
+    EXPECT_NEAR(after.angular[i], before.angular[i], tolerance * 10) << table.name;
+}
+
+}  // namespace ixos::test

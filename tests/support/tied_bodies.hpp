@@ -1,0 +1,25 @@
+/// Checks of bodies with tied nodes.
+#pragma once
+#include <string>
+
+#include "mesh/mesh.hpp"
+#include "model/material.hpp"
+#include "time/table.hpp"
+
+namespace ixos::test {
+
+/// Two boxes of 3 (by 3) by 1 L0, one upon the other, with meshes that do not match and inner nodes off their grids,
+/// also those where the boxes meet, which stay in that plane. Side sets "lower_top", "upper_bottom" and those of the
+/// boxes' other sides; node set "outer": all nodes at the outside of both. The cells are of that order.
+Mesh stacked_boxes(int dimension, int order);
+
+/// Expects that a body moves by an affine motion, uniform in time, if the nodes of that set do; those of the set that
+/// are tied are left to their ties. Tolerance 1e-10, matrix-free 1e-8.
+void expect_affine_motion(const Mesh& mesh, const Material& material, const std::string& node_set, const Table& table,
+                          bool matrix_free);
+
+/// Expects that a free body, which spins and vibrates, keeps its energy, its momentum and, if `angular`, its angular
+/// momentum, over steps of 0.1 T0. `tolerance`: of the energy its share, of momenta a tenth [F T0, F L0 T0].
+void expect_conserved(const Mesh& mesh, const Table& table, int steps, double tolerance, bool angular);
+
+}  // namespace ixos::test

@@ -1,0 +1,153 @@
+// Bodies of two meshes that are tied: affine motions, conservation, stiffness.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "discretization/volume_squares.hpp"
+#include "mesh/cell_order.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "mesh/joined_parts.hpp"
+#include "mesh/merged_parts.hpp"
+#include "mesh/mortar/tied_surfaces.hpp"
+#include "support/contact_element.hpp"
+#include "support/scene_text.hpp"
+#include "support/solids.hpp"
+#include "support/tied_bodies.hpp"
+#include "time/schemes.hpp"
+
+namespace ixos {
+namespace {
+
+Mesh tied_boxes(int dimension, ContactElement element, const std::string& enriched = "lower_bottom") {
+  Mesh mesh = test::stacked_boxes(dimension, test::is_of_quadratic_cells(element) ? 2 : 1);
+  tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
+  enrich(mesh, enriched, element);
+  return mesh;
+}
+
+TEST(TiedSurfacesTest, AffineMotionsPass) {
+  const Material rubber = test::elastic(neo_hooke, 0.3);
+  for (const int dimension : {2, 3})
+    for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q2C2}) {
+      SCOPED_TRACE(static_cast<int>(element));
+      const Mesh mesh = tied_boxes(dimension, element);
+      test::expect_affine_motion(mesh, rubber, "outer", average_vector_field(4, 8), false);
+      test::expect_affine_motion(mesh, rubber, "outer", newmark(0.25, 0.5), true);
+    }
+  test::expect_affine_motion(tied_boxes(2, ContactElement::Q1C1), rubber, "outer", energy_momentum(), false);
+}
+
+TEST(TiedSurfacesTest, AffineMotionsPassByFormulationsAgainstLocking) {
+  for (const Formulation formulation : {Formulation::Enhanced, Formulation::MeanDilatation}) {
+    Material rubber = test::elastic(neo_hooke, 0.3);
+    rubber.formulation = formulation;
+    for (const int dimension : {2, 3})
+      test::expect_affine_motion(tied_boxes(dimension, ContactElement::Q1C1), rubber, "outer", newmark(0.25, 0.5),
+                                 false);
+  }
+}
+
+TEST(TiedSurfacesTest, AffineMotionsPassBesideEnrichedSides) {
+  const Material rubber = test::elastic(neo_hooke, 0.3);
+  for (const char* side : {"lower_left", "upper_left"})
+    for (const ContactElement element : {ContactElement::Q1C2, ContactElement::Q1C4, ContactElement::Q2C4}) {
+      SCOPED_TRACE(side);
+      for (const int dimension : {2, 3})
+        test::expect_affine_motion(tied_boxes(dimension, element, side), rubber, "outer", newmark(0.25, 0.5), false);
+    }
+}
+
+TEST(TiedSurfacesTest, EnergyMomentumConservesBothMomentaAndEnergy) {
+  test::expect_conserved(tied_boxes(2, ContactElement::Q1C1), energy_momentum(), 50, 1e-9, true);
+  test::expect_conserved(tied_boxes(2, ContactElement::Q2C2), energy_momentum(), 20, 1e-9, true);
+  test::expect_conserved(tied_boxes(3, ContactElement::Q1C1), energy_momentum(), 5, 1e-9, true);
+}
+
+/// Two boxes, one upon the other; the upper one has `upper` divisions along the joint.
+Mesh boxes_of(int dimension, int order, int lower, int upper, bool tied) {
+  const auto up = static_cast<std::size_t>(dimension - 1);
+  std::vector<MeshPart> parts;
+  for (const int divisions : {lower, upper}) {
+    BoxShape shape;
+    shape.dimension = dimension;
+    shape.divisions.fill(divisions);
+    shape.divisions[up] = std::max(divisions / 2, 1);
+    shape.lengths[up] = 0.5;
+    shape.lower[up] = parts.empty() ? 0 : 0.5;
+    parts.push_back({parts.empty() ? "lower" : "upper", box(shape)});
+    if (order == 2) raise_order(parts.back().mesh);
+  }
+  Mesh mesh = joined_parts(parts);
+  if (tied)
+    tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
+  else
+    merge_parts(parts, 1e-9, mesh);
+  for (ElementBlock& block : mesh.blocks) block.name = "body";
+  return mesh;
+}
+
+/// The integral of the squared error of a harmonic displacement, u = grad(exp(kx) cos y [cos z]), over that of the
+/// displacement. Conditions prescribe the outside where it is not tied.
+double squared_error(int dimension, int order, int lower, int upper, bool tied) {
+  const auto model =
+      test::model_of(boxes_of(dimension, order, lower, upper, tied), test::elastic(linear_elastic, 0.3), Inertia::None);
+  const LocalMesh& local = model->mesh();
+  const auto d = static_cast<std::size_t>(dimension);
+  const double k = std::sqrt(dimension - 1.0);
+  const auto exact = [&](const double* x, std::size_t i) {
+    const double z = d == 3 ? x[2] : 0, e = std::exp(k * x[0]);
+    if (i == 0) return k * e * std::cos(x[1]) * std::cos(z);
+    return i == 1 ? -e * std::sin(x[1]) * std::cos(z) : -e * std::cos(x[1]) * std::sin(z);
+  };
+  const auto once = rate_ramp(1.0, 0.0, 0.0, RampShape::Linear);
+  std::vector<std::vector<double>> error(d), whole(d);
+  for (int node = 0; node < local.nodes(); ++node) {
+    const double* const x = &local.coordinates[static_cast<std::size_t>(node) * d];
+    bool outside = false;
+    for (std::size_t i = 0; i < d; ++i) outside = outside || x[i] < 1e-9 || x[i] > 1 - 1e-9;
+    for (std::size_t i = 0; i < d && outside && !local.is_tied(node); ++i)
+      model->constraints().add(node * dimension + static_cast<int>(i), exact(x, i), once);
+  }
+  Integrator integrator = test::direct(*model, static_equilibrium());
+  integrator.initialize(test::at_rest(*model), test::at_rest(*model), 0.0);
+  EXPECT_TRUE(integrator.step(1.0).converged);
+  for (std::size_t node = 0; node < static_cast<std::size_t>(local.nodes()); ++node)
+    for (std::size_t i = 0; i < d; ++i) {
+      const double u = exact(&local.coordinates[node * d], i);
+      error[i].push_back(integrator.state().u[node * d + i] - u);
+      whole[i].push_back(u);
+    }
+  double sums[] = {nodal_square(local, error), nodal_square(local, whole)};
+  model->space().sum(sums, 2);
+  return sums[0] / sums[1];
+}
+
+TEST(TiedSurfacesTest, ErrorsFallWithTheOrderOfTheCells) {
+  for (const int dimension : {2, 3})
+    for (const int order : {1, 2})
+      for (const auto& [lower, upper] : {std::pair{2, 3}, {3, 2}}) {
+        const int finer = dimension == 2 ? 4 : 2;
+        const double coarse = squared_error(dimension, order, finer / 2 * lower, finer / 2 * upper, true),
+                     fine = squared_error(dimension, order, finer * lower, finer * upper, true);
+        EXPECT_GT(std::log2(coarse / fine) / 2, order + 0.7)
+            << dimension << "D, order " << order << ", " << lower << " to " << upper;
+      }
+}
+
+TEST(TiedSurfacesTest, MatchingMeshesAreOne) {
+  for (const int dimension : {2, 3})
+    for (const int order : {1, 2}) {
+      const double merged = squared_error(dimension, order, 3, 3, false);
+      EXPECT_NEAR(squared_error(dimension, order, 3, 3, true) / merged, 1, 1e-9) << dimension << "D, order " << order;
+    }
+}
+
+TEST(TiedSurfacesLongTest, EnergyAndMomentaLast) {
+  test::expect_conserved(tied_boxes(2, ContactElement::Q1C1), energy_momentum(), 10000, 1e-9, true);
+  test::expect_conserved(tied_boxes(2, ContactElement::Q1C1), average_vector_field(4, 8), 10000, 1e-7, false);
+}
+
+}  // namespace
+}  // namespace ixos
