@@ -10,6 +10,29 @@
 
 namespace ixos {
 
+namespace {
+
+/// Sets K_ii of nodes in planes to that of P K P + factor (I - P), see NodePlanes, of a K without other entries.
+void project_diagonal(const Model& model, double factor, double* diagonal) {
+  const NodePlanes& planes = model.constraints().planes();
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  planes.for_each([&](int node) {
+    if (node >= model.mesh().owned_nodes) return;
+    double* const k = diagonal + static_cast<std::size_t>(node) * d;
+    Vec<3> result{};
+    for (std::size_t i = 0; i < d; ++i)
+      for (std::size_t j = 0; j < d; ++j) {
+        double across = 0;
+        for (const Vec<3>& normal : planes.normals(node)) across += normal[i] * normal[j];
+        const double inside = (i == j ? 1 : 0) - across;
+        result[i] += inside * inside * k[j] + (i == j ? factor * across : 0);
+      }
+    std::copy_n(result.begin(), d, k);
+  });
+}
+
+}  // namespace
+
 TangentOperator::TangentOperator(const Model& model, std::function<void(double*)> assemble)
     : model_(model),
       assemble_(std::move(assemble)),
@@ -120,6 +143,7 @@ void TangentOperator::diagonal(Vector& result) const {
     for (std::size_t i = 0; i < owned; ++i) result_[i] += rates_[i];
   for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_;
   for (int dof : model_.constraints().dofs()) result_[static_cast<std::size_t>(dof)] = constrained_diagonal_;
+  project_diagonal(model_, constrained_diagonal_, result_.data());
   const auto target = result.getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t i = 0; i < owned; ++i) target(i, 0) = result_[i];
 }

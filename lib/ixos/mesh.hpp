@@ -5,7 +5,8 @@
 ///
 /// Stable: Mesh, ElementBlock, Side, SideSet, NodeSet, CellType, DistributedMesh, DistributedBlock, DistributedNodeSet,
 /// LocalMesh, local_part, partition_nodes, raise_order, ContactElement, enrich, DiskShape, disk, BoxShape, box,
-/// MeshPart, joined_parts, Placement, move_nodes.
+/// MeshPart, joined_parts, Placement, move_nodes, Tie, RefinedRegion, NamedRegion, refine, tie_surfaces,
+/// make_periodic.
 #pragma once
 #include "fem/cell_type.hpp"
 #include "mesh/cell_order.hpp"
@@ -15,5 +16,8 @@
 #include "mesh/joined_parts.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/mortar/tied_surfaces.hpp"
 #include "mesh/partition.hpp"
+#include "mesh/periodic_sides.hpp"
 #include "mesh/placement.hpp"
+#include "mesh/splitting/refine.hpp"

@@ -7,7 +7,7 @@
 /// Stable: Model, Material, Formulation, Inertia, Part, StateReport, Momenta, InteractionReport, InteractionGroup,
 /// SurfaceNumber, CellFields, Comm, Map, Vector, MultiVector, GlobalId, LocalId, DofSpace, DofExchange, Settings,
 /// make_elastic_law, make_gap_law, make_obstacle, flat_wall, HalfSpace, SurfaceInteraction, Friction, FrictionType,
-/// add_interaction, prescribe, add_traction, add_point_force, add_body_force, add_gravity, grip_rigidly,
+/// add_interaction, prescribe, hold_in_plane, add_traction, add_point_force, add_body_force, add_gravity, grip_rigidly,
 /// grip_elastically, grip_reaction, RigidMotion, Constraints, Loads, TimeFunction, TimeValue, function_of_time,
 /// constant, value_ramp, rate_ramp, RampShape, sine, interpolated, TableInterpolation, Waveform, check_over,
 /// set_reactions, set_reaction.

@@ -19,6 +19,11 @@ std::string fingerprint(const Mesh& mesh, const std::vector<double>& values) {
     digest.add_array(block.nodes);
     digest.add_array(block.derivative_scale);
   }
+  for (const Tie& tie : mesh.ties) {
+    digest.add_number(tie.node);
+    digest.add_array(tie.masters);
+    digest.add_array(tie.weights);
+  }
   if (!values.empty()) digest.add_array(values);
   return fmt::format("{:016x}{:016x}", digest.value()[0], digest.value()[1]);
 }

@@ -40,7 +40,10 @@ Vec<3> fitted_normal(int dimension, const std::vector<Vec<3>>& places, const std
   if (extent(least) > flat * extent(2))
     throw InputError(fmt::format("its nodes are not in one plane: they leave it by {:.2g} of their extent",
                                  extent(least) / extent(2)));
-  return found.vector[order[least]];
+  Vec<3> normal = found.vector[order[least]];
+  for (double& component : normal)
+    if (std::abs(component) < flat) component = 0;
+  return 1 / length(normal) * normal;
 }
 
 }  // namespace ixos

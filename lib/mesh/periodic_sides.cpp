@@ -39,14 +39,15 @@ void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& 
   for (const int node : followers)
     if (leaders.count(node) > 0)
       throw InputError(
-          fmt::format("the side sets \"{}\" and \"{}\" share node {} of the mesh; periodic sides lie apart", secondary,
-                      primary, node + 1));
+          fmt::format("the side sets \"{}\" and \"{}\" share node {} of the mesh at {}; periodic sides lie apart",
+                      secondary, primary, node + 1, point_in_words(node_place(mesh, node), mesh.dimension)));
   if (followers.empty() || followers.size() != leaders.size())
     throw InputError(fmt::format(
         "the side set \"{}\" has {} nodes and \"{}\" {}; periodic sides have the same mesh and at least one side",
         secondary, followers.size(), primary, leaders.size()));
   const Vec<3> translation = middle_of(mesh, leaders) - middle_of(mesh, followers);
   std::vector<PlacedNode> placed;
+  placed.reserve(leaders.size());
   for (const int node : leaders) placed.emplace_back(tree_point(node_place(mesh, node)), node);
   const bg::index::rtree<PlacedNode, bg::index::rstar<16>> tree(placed);
   const double reach = tolerance > 0 ? tolerance : place_tolerance(mesh);

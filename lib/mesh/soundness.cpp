@@ -57,6 +57,21 @@ void join_across_hanging_sides(const Mesh& mesh, DisjointSets& parts) {
         parts.join(cell, cells[middle].front());
 }
 
+/// Joins the cells of tied nodes with those of the nodes that they follow.
+void join_across_ties(const Mesh& mesh, DisjointSets& parts) {
+  if (mesh.ties.empty()) return;
+  std::vector<int> cell_of(static_cast<std::size_t>(mesh.nodes()), -1);
+  for_each_cell(mesh, [&](int cell, CellType type, const int* nodes) {
+    for (int a = 0; a < nodes_per_cell(type); ++a) cell_of[static_cast<std::size_t>(nodes[a])] = cell;
+  });
+  for (const Tie& tie : mesh.ties)
+    for (const int master : tie.masters)
+      if (const int own = cell_of[static_cast<std::size_t>(tie.node)],
+          other = cell_of[static_cast<std::size_t>(master)];
+          own >= 0 && other >= 0)
+        parts.join(own, other);
+}
+
 struct Part {
   int cells = 0;
   int node = 0;    ///< one of them
@@ -120,6 +135,11 @@ std::string coincident_nodes(const Mesh& mesh) {
       if (!fresh) partner.emplace(node, found->second);
     }
   }
+  for (const Tie& tie : mesh.ties) partner.erase(tie.node);
+  for (const Tie& tie : mesh.ties)
+    for (const int master : tie.masters)
+      if (const auto found = partner.find(master); found != partner.end() && found->second == tie.node)
+        partner.erase(found);
   if (partner.empty()) return "";
   const auto [node, other] = *partner.begin();
   return fmt::format(
@@ -134,6 +154,7 @@ std::vector<std::string> loose_parts(const Mesh& mesh, const std::vector<bool>& 
   for (std::size_t i = 1; i < sides.size(); ++i)
     if (sides[i].corners == sides[i - 1].corners) parts.join(sides[i].cell, sides[i - 1].cell);
   join_across_hanging_sides(mesh, parts);
+  join_across_ties(mesh, parts);
 
   std::map<int, Part> found;
   std::vector<int> part_of_node(static_cast<std::size_t>(mesh.nodes()), -1);

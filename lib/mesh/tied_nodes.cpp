@@ -6,21 +6,28 @@
 #include <cstddef>
 #include <iterator>
 
+#include "mesh/cell_place.hpp"
+#include "mesh/node_place.hpp"
+
 namespace ixos {
 namespace {
 
-std::string name_of(int node) { return fmt::format("node {} of the mesh", node + 1); }
+auto name_in(const Mesh& mesh) {
+  return [&mesh](int node) {
+    return fmt::format("node {} of the mesh at {}", node + 1, point_in_words(node_place(mesh, node), mesh.dimension));
+  };
+}
 
 }  // namespace
 
-std::vector<Tie> resolved_ties(const Mesh& mesh) { return resolved_ties(mesh.ties, name_of); }
+std::vector<Tie> resolved_ties(const Mesh& mesh) { return resolved_ties(mesh.ties, name_in(mesh)); }
 
 void place_tied_nodes(Mesh& mesh) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   std::vector<Tie> in_place;
   std::copy_if(mesh.ties.begin(), mesh.ties.end(), std::back_inserter(in_place),
                [](const Tie& tie) { return tie.in_place; });
-  for (const Tie& tie : resolved_ties(in_place, name_of)) {
+  for (const Tie& tie : resolved_ties(in_place, name_in(mesh))) {
     double* const place = &mesh.coordinates[static_cast<std::size_t>(tie.node) * d];
     std::fill_n(place, d, 0.0);
     for (std::size_t k = 0; k < tie.masters.size(); ++k)

@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "discretization/nodal_measure.hpp"
 #include "mesh/fitted_normal.hpp"
-#include "model/tied_sets.hpp"
 
 namespace ixos {
 namespace {
@@ -86,7 +85,6 @@ void prescribe(Model& model, const std::string& node_set, const std::string& com
   const std::size_t set = mesh.node_set(node_set);
   const std::vector<int> numbers = components_of(components, mesh.dimension);
   model.check_open();
-  refuse_half_tied(model, node_set);
   const auto for_each = [&](const auto& visit) {
     for (const int i : numbers)
       for (const int node : mesh.node_sets[set]) {
@@ -111,6 +109,13 @@ void prescribe(Model& model, const std::string& node_set, const std::string& com
   for_each([&](int node, int i, double factor, const std::shared_ptr<const TimeFunction>& function) {
     model.constraints().add(node * mesh.dimension + i, factor, function);
   });
+  for (const int node : mesh.node_sets[set])
+    if (mesh.is_tied(node))
+      model.tied_conditions().add(node_set, node, [&model, numbers, motion](int master) {
+        return std::all_of(numbers.begin(), numbers.end(), [&](int i) {
+          return model.constraints().holds_by(master * model.mesh().dimension + i, {{1.0, motion}});
+        });
+      });
 }
 
 void hold_in_plane(Model& model, const std::string& node_set) {
@@ -118,7 +123,6 @@ void hold_in_plane(Model& model, const std::string& node_set) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const std::vector<int>& nodes = mesh.node_sets[mesh.node_set(node_set)];
   model.check_open();
-  refuse_half_tied(model, node_set);
   std::vector<Vec<3>> places;
   for (const int node : nodes) {
     const auto n = static_cast<std::size_t>(node);
@@ -139,7 +143,12 @@ void hold_in_plane(Model& model, const std::string& node_set) {
       }
   });
   for (const int node : nodes)
-    if (!mesh.is_tied(node)) model.constraints().hold_in_plane(node, d, normal);
+    if (mesh.is_tied(node))
+      model.tied_conditions().add(node_set, node, [&model, d, normal](int master) {
+        return model.constraints().holds_in_plane(master, d, normal);
+      });
+    else
+      model.constraints().hold_in_plane(node, d, normal);
 }
 
 void add_traction(Model& model, const std::string& side_set, const std::vector<double>& vector,

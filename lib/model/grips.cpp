@@ -9,7 +9,6 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
-#include "model/tied_sets.hpp"
 
 namespace ixos {
 namespace {
@@ -106,7 +105,6 @@ void add_driving_loads(Model& model, const DrivenEnds& ends, const RigidMotion& 
 void grip_rigidly(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion) {
   const std::size_t set = checked_set(model, name, node_set, motion);
   const LocalMesh& mesh = model.mesh();
-  refuse_half_tied(model, node_set);
   together<InputError>(model.space().comm(), [&] {
     for (const int node : mesh.node_sets[set])
       for (int i = 0; i < mesh.dimension && !mesh.is_tied(node); ++i) try {
@@ -117,8 +115,17 @@ void grip_rigidly(Model& model, const std::string& name, const std::string& node
         }
   });
   for (const int node : mesh.node_sets[set])
-    for (int i = 0; i < mesh.dimension && !mesh.is_tied(node); ++i)
-      model.constraints().add(node * mesh.dimension + i, shares_of(mesh, motion, node, i));
+    if (mesh.is_tied(node))
+      model.tied_conditions().add(node_set, node, [&model, motion](int master) {
+        bool held = true;
+        for (int i = 0; i < model.mesh().dimension; ++i)
+          held = held && model.constraints().holds_by(master * model.mesh().dimension + i,
+                                                      shares_of(model.mesh(), motion, master, i));
+        return held;
+      });
+    else
+      for (int i = 0; i < mesh.dimension; ++i)
+        model.constraints().add(node * mesh.dimension + i, shares_of(mesh, motion, node, i));
   model.add_grip({name, set, motion}, nullptr, nullptr);
 }
 

@@ -96,6 +96,7 @@ void Model::set_prescribed(double time, double* u, double* v, double* a) const {
 }
 
 void Model::close() const {
+  check_tied_conditions();
   const auto refuse = [this](int node) {
     if (mesh().is_tied(node)) throw std::logic_error("a tied node is constrained; constrain the nodes that it follows");
   };

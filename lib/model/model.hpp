@@ -8,6 +8,7 @@
 #include "discretization/discretization.hpp"
 #include "model/body.hpp"
 #include "model/grip.hpp"
+#include "model/tied_sets.hpp"
 #include "term/body/damping.hpp"
 #include "term/body/mass.hpp"
 #include "term/interaction.hpp"
@@ -86,11 +87,16 @@ class Model {
   void add_grip(Grip grip, std::unique_ptr<Springs> springs, std::unique_ptr<Dashpots> dashpots);
   Constraints& constraints() { return constraints_; }
   Loads& loads() { return loads_; }
+  TiedConditions& tied_conditions() { return tied_conditions_; }
   /// Ends the adding of interactions, constraints and loads: what is made of the model has arrays and solvers for those
   /// that it has. Integrators and evaluators call this, also of a model that several share. The functions of
   /// model/conditions.hpp and model/surface_interaction.hpp, Constraints::add() and Loads::add() then throw
-  /// std::logic_error. Throws it if a tied node is constrained, whose masters move it.
+  /// std::logic_error. Throws it if a tied node is constrained, whose masters move it, and what check_tied_conditions()
+  /// throws.
   void close() const;
+  /// Throws InputError if a condition names a tied node, and none holds a node that it follows likewise, see
+  /// TiedConditions. Collective if the mesh has ties.
+  void check_tied_conditions() const { tied_conditions_.check(mesh(), space().comm()); }
   /// Throws std::logic_error after close().
   void check_open() const;
 
@@ -175,6 +181,7 @@ class Model {
   Damping* damping_ = nullptr;                  ///< one of the rate terms
   std::vector<std::string> dissipation_names_;
   Constraints constraints_;
+  TiedConditions tied_conditions_;
   mutable std::unique_ptr<ConstrainedEntries> constrained_entries_;
   Loads loads_;
   mutable bool closed_ = false;

@@ -8,15 +8,19 @@ std::vector<double> set_reactions(const Model& model, const std::vector<double>&
                                   const std::vector<std::size_t>& sets) {
   const LocalMesh& mesh = model.mesh();
   const auto d = static_cast<std::size_t>(mesh.dimension);
-  std::vector<double> sums(sets.size() * d, 0.0), across(static_cast<std::size_t>(model.space().owned()), 0.0);
-  model.constraints().planes().add_across(1, forces.data(), across.data(), mesh.owned_nodes);
+  std::vector<double> sums(sets.size() * d, 0.0);
+  const NodePlanes& planes = model.constraints().planes();
+  std::vector<double> across(planes.empty() ? 0 : static_cast<std::size_t>(model.space().owned()), 0.0);
+  planes.add_across(1, forces.data(), across.data(), mesh.owned_nodes);
   for (std::size_t s = 0; s < sets.size(); ++s)
     for (const int node : mesh.node_sets[sets[s]]) {
       const auto n = static_cast<std::size_t>(node);
       if (node >= mesh.owned_nodes || mesh.is_derivative(n)) continue;
       for (std::size_t i = 0; i < d; ++i)
-        sums[s * d + i] +=
-            model.constraints().holds(static_cast<int>(n * d + i)) ? forces[n * d + i] : across[n * d + i];
+        if (model.constraints().holds(static_cast<int>(n * d + i)))
+          sums[s * d + i] += forces[n * d + i];
+        else if (!across.empty())
+          sums[s * d + i] += across[n * d + i];
     }
   model.space().sum(sums.data(), static_cast<int>(sums.size()));
   return sums;

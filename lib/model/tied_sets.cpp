@@ -2,29 +2,41 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "mesh/cell_place.hpp"
 
 namespace ixos {
+namespace {
 
-void refuse_half_tied(const Model& model, const std::string& node_set) {
-  const LocalMesh& mesh = model.mesh();
+std::string in_words(const LocalMesh& mesh, int node) {
+  const auto n = static_cast<std::size_t>(node), d = static_cast<std::size_t>(mesh.dimension);
+  std::array<double, 3> place{};
+  std::copy_n(&mesh.coordinates[n * d], d, place.begin());
+  return fmt::format("node {} of the mesh at {}", mesh.message_number(n), point_in_words(place, mesh.dimension));
+}
+
+}  // namespace
+
+void TiedConditions::add(const std::string& node_set, int node, IsHeld is_held) {
+  conditions_.push_back({node_set, node, std::move(is_held)});
+}
+
+void TiedConditions::check(const LocalMesh& mesh, const Comm& comm) const {
   if (mesh.global_tied == 0) return;
-  const std::vector<int>& nodes = mesh.node_sets[mesh.node_set(node_set)];
-  const std::set<int> own(nodes.begin(), nodes.end());
-  const auto number = [&mesh](int node) { return mesh.message_number(static_cast<std::size_t>(node)); };
-  together<InputError>(model.space().comm(), [&] {
-    for (const int node : nodes) {
-      if (!mesh.is_tied(node)) continue;
+  together<InputError>(comm, [&] {
+    for (const auto& [node_set, node, is_held] : conditions_)
       for (const NodeTies::Share* share = mesh.ties.begin(node); share != mesh.ties.end(node); ++share)
-        if (own.count(share->master) == 0)
+        if (!is_held(share->master))
           throw InputError(
-              fmt::format("the node set \"{}\" has node {} of the mesh, which is tied to node {}, but not that one; "
-                          "add it to the set, or leave the tied node out",
-                          node_set, number(node), number(share->master)));
-    }
+              fmt::format("the node set \"{}\" has {}, which is tied to {}; no condition holds that one in the same "
+                          "way. Add it to a set with such a condition, or leave the tied node out",
+                          node_set, in_words(mesh, node), in_words(mesh, share->master)));
   });
 }
 

@@ -274,6 +274,7 @@ void Simulation::build_model(const Comm& comm, Inertia inertia) {
   add_interactions(interactions_, histories, start, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   add_grips(scene.sublist("Grips"), histories, *model_);
+  at("Boundary Conditions", [&] { model_->check_tied_conditions(); });
   refuse_unused_histories(scene, interactions_, histories);
   for (std::string& note : histories.notes()) notes_.push_back(std::move(note));
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);

@@ -111,6 +111,7 @@ void Acceleration::record_forces(State& state) const {
     const auto i = static_cast<std::size_t>(dof);
     if (i < owned) state.reaction[i] = inertia[i] - balance_[i];
   }
+  if (model_.constraints().planes().empty()) return;
   for (std::size_t i = 0; i < owned; ++i) inertia[i] -= balance_[i];
   model_.constraints().planes().add_across(1, inertia.data(), state.reaction.data(), model_.mesh().owned_nodes);
 }

@@ -52,6 +52,8 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
   predictor = usable(predictor);
   look_ahead(predictor, stage, (table_.stages[stage].end - start) * dt, guess);
   if (predictor != Predictor::LastDisplacement) solver(stage).problem.clip(states_[stage].u, guess);
+  // Extrapolation would let the rounding across planes grow.
+  model_.constraints().planes().project(guess.data(), model_.mesh().nodes());
 }
 
 /// Keeps what the next steps' predictors need of the step of length dt that is to be accepted.

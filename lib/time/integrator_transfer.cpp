@@ -68,6 +68,7 @@ void Integrator::refuse_jump() const {
   const State& state = states_.front();
   std::vector<double> there(state.u);
   model_.constraints().set(state.time, there.data(), nullptr, nullptr);
+  model_.constraints().planes().project(there.data(), model_.mesh().nodes());
   double jump = 0, size = 0;
   for (std::size_t i = 0; i < there.size(); ++i) {
     jump = std::max(jump, std::abs(there[i] - state.u[i]));
@@ -84,6 +85,7 @@ double Integrator::velocity_jump() const {
   const State& state = states_.front();
   std::vector<double> there(state.v);
   model_.constraints().set(state.time, nullptr, there.data(), nullptr);
+  model_.constraints().planes().project(there.data(), model_.mesh().nodes());
   double jump = 0;
   for (std::size_t i = 0; i < there.size(); ++i) jump = std::max(jump, std::abs(there[i] - state.v[i]));
   return model_.space().maximum(jump);

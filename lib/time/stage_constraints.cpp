@@ -33,7 +33,9 @@ void StageProblem::complete_direction(const Vector& x, Vector& direction) {
     const auto i = static_cast<std::size_t>(dof);
     if (i < owned) to(i, 0) = prescribed_[i] - from(i, 0);
   }
-  model_.constraints().planes().project(to.data(), model_.mesh().owned_nodes);
+  const NodePlanes& planes = model_.constraints().planes();
+  planes.project(to.data(), model_.mesh().owned_nodes);
+  planes.add_across(-1, from.data(), to.data(), model_.mesh().owned_nodes);
 }
 
 void StageProblem::constrain_residual(double* out) {

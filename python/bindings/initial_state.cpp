@@ -120,6 +120,8 @@ void set_state(LiveSimulation& live, const py::object& given_u, const py::object
       check_time(time, s);
       Values prescribed_u(u), prescribed_v(v);
       model.constraints().set(time, prescribed_u.data(), prescribed_v.data(), nullptr);
+      for (Values* const values : {&prescribed_u, &prescribed_v})
+        model.constraints().planes().project(values->data(), model.mesh().nodes());
       if (!given_u.is_none()) check_values(u, prescribed_u, "u", time, model);
       if (!given_v.is_none()) check_velocities(v, prescribed_v, time, s);
       u = std::move(prescribed_u);

@@ -7,6 +7,8 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "mesh/joined_parts.hpp"
+#include "mesh/mortar/tied_surfaces.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/splitting/refine.hpp"
 #include "model/conditions.hpp"
@@ -22,6 +24,8 @@
 
 namespace ixos {
 namespace {
+
+constexpr double pi = 3.14159265358979323846;
 
 /// How a test holds the two sides of a box that are planes of symmetry.
 enum class Hold { ByComponents, ByPlanes };
@@ -141,27 +145,43 @@ TEST(SymmetryPlanesTest, TurnedBodiesMoveAlikeMatrixFree) {
   }
 }
 
-/// The error of the displacement, by the largest, of a tube under pressure from a sector of 30 degrees between planes.
-double error_of_tube(int cells, double turn, int order) {
-  constexpr double pi = 3.14159265358979323846, a = 1, b = 2, p = 1e-3, nu = 0.3;
+/// A part of a tube of radii 1 and 2 between two angles. `lower`, `upper`: its radii; cells along the arc.
+Mesh sector(double lower, double upper, int radial, int along, double turn, int order) {
   BoxShape shape;
-  shape.divisions = {cells, cells, cells};
+  shape.divisions = {radial, along, 1};
   Mesh mesh = box(shape);
   if (order == 2) raise_order(mesh);
   for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.nodes()); ++n) {
     double* const x = &mesh.coordinates[2 * n];
-    const double r = a + (b - a) * x[0], phi = turn + pi / 6 * x[1];
+    const double r = lower + (upper - lower) * x[0], phi = turn + pi / 6 * x[1];
     x[0] = r * std::cos(phi);
     x[1] = r * std::sin(phi);
   }
+  return mesh;
+}
+
+/// The error of the displacement, by the largest, of a tube under pressure from a sector of 30 degrees between planes.
+/// `rings`: it consists of two rings, tied, whose cells do not match.
+double error_of_tube(int cells, double turn, int order, bool rings = false) {
+  constexpr double a = 1, b = 2, p = 1e-3, nu = 0.3;
+  Mesh mesh = sector(a, b, cells, cells, turn, order);
+  const std::string first = rings ? "inner_" : "";
+  if (rings) {
+    mesh = joined_parts({{"inner", sector(a, 1.5, cells / 2, cells, turn, order)},
+                         {"outer", sector(1.5, b, cells / 2, 3 * cells / 2, turn, order)}});
+    for (ElementBlock& block : mesh.blocks) block.name = "body";
+    tie_surfaces(mesh, "outer_left", "inner_right", 0);
+  }
   const auto model = test::model_of(mesh, test::elastic(linear_elastic, nu), Inertia::None);
-  hold_in_plane(*model, "bottom");
-  hold_in_plane(*model, "top");
+  for (const char* plane : {"bottom", "top"}) {
+    hold_in_plane(*model, first + plane);
+    if (rings) hold_in_plane(*model, std::string("outer_") + plane);
+  }
   // The pressure on the inner arc: its integral over each node's share of the arc.
   const LocalMesh& local = model->mesh();
   std::vector<double> forces(static_cast<std::size_t>(model->space().local()), 0.0);
   const int along = cells * order;
-  for (const int node : local.node_sets[local.node_set("left")]) {
+  for (const int node : local.node_sets[local.node_set(first + "left")]) {
     const auto n = static_cast<std::size_t>(node);
     const double x = local.coordinates[2 * n], y = local.coordinates[2 * n + 1];
     const double place = (std::atan2(y, x) - turn) / (pi / 6) * along;
@@ -197,6 +217,13 @@ TEST(SymmetryPlanesTest, ASectorOfATubeIsTheTube) {
   }
 }
 
+TEST(SymmetryPlanesTest, TwoTiedRingsAreTheTube) {
+  const double coarse = error_of_tube(4, 0.4, 1, true), fine = error_of_tube(8, 0.4, 1, true);
+  EXPECT_LT(fine, 2 * error_of_tube(8, 0.4, 1));
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.4);
+  EXPECT_LT(error_of_tube(4, 0.4, 2, true), 0.2 * fine);
+}
+
 TEST(SymmetryPlanesTest, EnergyIsKept) {
   Box body = box_of(2, Hold::ByPlanes, 30, Inertia::Consistent);
   std::vector<double> velocity = test::at_rest(*body.model);
@@ -215,6 +242,25 @@ TEST(SymmetryPlanesTest, EnergyIsKept) {
   }
   work = integrator.external_work();
   EXPECT_NEAR(energy(), start + work, 1e-10 * start);
+}
+
+/// Every predictor extrapolates the rounding across the planes, too.
+TEST(SymmetryPlanesTest, ManyStepsStayInThePlanes) {
+  for (const Predictor predictor : {Predictor::Quadratic, Predictor::Extrapolation, Predictor::ConstantVelocity}) {
+    Box body = box_of(2, Hold::ByPlanes, 30, Inertia::Consistent);
+    std::vector<double> velocity = test::at_rest(*body.model);
+    for (std::size_t i = 0; i < velocity.size(); ++i)
+      velocity[i] = 0.3 * std::sin(5 * body.model->mesh().coordinates[i]);
+    body.model->space().interpolate_tied(velocity.data());
+    Table table = newmark(0.25, 0.5);
+    table.predictor = predictor;
+    Integrator integrator = test::direct(*body.model, table);
+    integrator.initialize(test::at_rest(*body.model), velocity, 0.0);
+    for (int step = 0; step < 1000; ++step) ASSERT_TRUE(integrator.step(0.02).converged);
+    std::vector<double> inside = integrator.state().u;
+    body.model->constraints().planes().project(inside.data(), body.model->mesh().nodes());
+    EXPECT_LT(test::distance(inside, integrator.state().u), 1e-15) << static_cast<int>(predictor);
+  }
 }
 
 TEST(SymmetryPlanesTest, WhatCannotBeIsRefused) {

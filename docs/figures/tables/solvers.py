@@ -1,5 +1,6 @@
 """Linear solvers, products with the tangent, and the first guess of Newton's method."""
 import itertools
+import re
 
 from .. import bodies
 from ..bodies import MECHANICS, divisions, iterative
@@ -139,9 +140,10 @@ def measure_products(context):
 def measure_ties(context):
     """Times the works of a tangent for each unknown, with and without ties, in turns within the program."""
     text = context.run_text("tie_times", *context.pick((30, 20), (8, 2)))
+    numbers = re.compile(r"[0-9.]+")  # each dimension has a table, with a head of its own
     return [{"work": row["for each unknown"], "ns": float(row["without ties, ns"]),
              "hanging": float(row["hanging nodes, ratio"]), "tied": float(row["tied surfaces, ratio"])}
-            for row in markdown_rows(text)]
+            for row in markdown_rows(text) if numbers.fullmatch(row["without ties, ns"])]
 
 
 # Scene and settings of runs that start Newton's method from two guesses.

@@ -20,6 +20,7 @@ Facet::Facet(const Mesh& mesh, const Side& side)
       order_(cell_info(mesh.blocks[static_cast<std::size_t>(side.block)].type).order),
       nodes_(nodes_of_side(mesh, side)),
       normal_(outward_normal(mesh, side)) {
+  places_.reserve(nodes_.size());
   for (const int node : nodes_) places_.push_back(node_place(mesh, node));
   normal_ = 1 / length(normal_) * normal_;
 }
@@ -57,7 +58,7 @@ bool Facet::is_affine() const {
     for (int i = 0; i < along; ++i) {
       const Vec<2> xi{2.0 * i / order_ - 1, dimension_ == 1 ? 0.0 : 2.0 * j / order_ - 1};
       const Vec<3> off = point(xi) - (origin + xi[0] * slope[0] + xi[1] * slope[1]);
-      if (length(off) > 1e-12 * size()) return false;
+      if (length(off) > 1e-9 * size()) return false;
     }
   return true;
 }
@@ -65,6 +66,7 @@ bool Facet::is_affine() const {
 std::vector<Polygon> Facet::images(const ProjectionPlane& plane) const {
   const auto image = [&](const std::vector<std::size_t>& nodes) {
     Polygon polygon;
+    polygon.reserve(nodes.size());
     for (const std::size_t a : nodes) polygon.push_back(plane.image(places_[a]));
     if (polygon.size() == 2) {
       polygon[0][1] = polygon[1][1] = 0;
@@ -99,7 +101,7 @@ std::optional<Vec<2>> Facet::find(const ProjectionPlane& plane, const Vec<2>& im
                       (slope[0][0] * off[1] - slope[1][0] * off[0]) / det};
     xi = xi + step;
     if (!(std::abs(xi[0]) < far && std::abs(xi[1]) < far)) return std::nullopt;
-    if (length(step) < 1e-14) return xi;
+    if (length(step) < 1e-8) return xi;  // the next step would be as long as this one's square
   }
   return std::nullopt;
 }
@@ -134,6 +136,8 @@ std::vector<Facet> Facet::edges() const {
     edges[k].order_ = order_;
     std::vector<std::size_t> own{k, (k + 1) % 4};
     if (order_ == 2) own.push_back(4 + k);
+    edges[k].nodes_.reserve(own.size());
+    edges[k].places_.reserve(own.size());
     for (const std::size_t a : own) {
       edges[k].nodes_.push_back(nodes_[a]);
       edges[k].places_.push_back(places_[a]);

@@ -37,6 +37,7 @@ FacingFacets::Box FacingFacets::box_around(const Facet& side, double beyond) {
 
 FacingFacets::FacingFacets(const std::vector<Facet>& sides) : facets_(sides) {
   std::vector<Entry> entries;
+  entries.reserve(sides.size());
   for (std::size_t k = 0; k < sides.size(); ++k) entries.emplace_back(box_around(sides[k], 0), k);
   tree_ = decltype(tree_)(entries);
 }
@@ -53,8 +54,9 @@ FacingParts FacingFacets::parts_of(const Facet& side, double reach) const {
   for (const Entry& entry : near) {
     const Facet& other = facets_[entry.second];
     if (inner(other.normal(), side.normal()) > -0.5 * length(other.normal()) * length(side.normal())) continue;
+    const std::vector<Polygon> opposite = other.images(plane);
     for (const Polygon& a : own)
-      for (const Polygon& b : other.images(plane)) {
+      for (const Polygon& b : opposite) {
         Polygon part = common_part(a, b);
         if (part.empty() || area(part) <= 1e-12 * whole) continue;
         if (const double distance = distance_at(side, other, plane, part); distance > reach) {

@@ -18,8 +18,12 @@ struct MortarSurfaces {
 /// Returns what each secondary facet faces.
 std::vector<FacingParts> all_facing_parts(const MortarSurfaces& surfaces);
 
-/// Returns whether the parts cover a facet, once, but for the rounding of a file's coordinates.
-bool is_covered(const FacingParts& parts);
+/// Returns whether the parts cover a facet, once, but for the rounding of a file's coordinates. At the rim of a surface
+/// a tenth may be missing: a round rim is a polygon, and other divisions make another one.
+bool is_covered(const FacingParts& parts, bool at_rim);
+
+/// Returns which facets are at the rim of their surface; none of a curve.
+std::vector<bool> facets_at_rim(const std::vector<Facet>& facets);
 
 /// By secondary node: the primary nodes that it follows, and their weights [-].
 struct MortarWeights {

@@ -48,11 +48,13 @@ std::vector<PolygonPoint> points_of(const Polygon& polygon, int degree) {
   std::vector<PolygonPoint> points;
   if (polygon.size() == 2) {
     const Quadrature rule = gauss_legendre_unit(degree / 2 + 1);
+    points.reserve(rule.points.size());
     for (std::size_t q = 0; q < rule.points.size(); ++q)
       points.push_back({polygon[0] + rule.points[q] * (polygon[1] - polygon[0]), rule.weights[q] * area(polygon)});
     return points;
   }
   const QuadratureRule<2> rule = triangle_rule(degree <= 4 ? 2 : degree / 2 + 2);
+  points.reserve((polygon.size() - 2) * rule.size());
   for (std::size_t k = 2; k < polygon.size(); ++k) {
     const Vec<2> u = polygon[k - 1] - polygon[0], v = polygon[k] - polygon[0];
     for (std::size_t q = 0; q < rule.size(); ++q)

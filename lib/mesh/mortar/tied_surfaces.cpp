@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -11,6 +11,7 @@
 #include "mesh/cell_place.hpp"
 #include "mesh/mortar/mortar_weights.hpp"
 #include "mesh/node_place.hpp"
+#include "mesh/region.hpp"
 #include "mesh/selection.hpp"
 #include "mesh/side_set_nodes.hpp"
 #include "mesh/tied_nodes.hpp"
@@ -32,6 +33,7 @@ Surface surface_of(const Mesh& mesh, const std::string& name) {
   const SideSet& set = side_set_named(mesh, name);
   if (set.sides.empty()) throw InputError(fmt::format("the side set \"{}\" has no sides", name));
   Surface surface{name, nodes_of(mesh, set), {}};
+  surface.sides.reserve(set.sides.size());
   for (const Side& side : set.sides) surface.sides.emplace_back(mesh, side);
   return surface;
 }
@@ -49,10 +51,10 @@ void refuse_nodes(const Mesh& mesh, const Surface& secondary, const Surface& pri
                       secondary.name, primary.name, node_in_words(mesh, node)));
   for (const Tie& tie : mesh.ties)
     if (secondary.nodes.count(tie.node) > 0)
-      throw InputError(
-          fmt::format("{}, of the side set \"{}\", follows other nodes already: it hangs on a coarser cell, or belongs "
-                      "to another tied surface. A Primary Side Set may have such nodes",
-                      node_in_words(mesh, tie.node), secondary.name));
+      throw InputError(fmt::format(
+          "{}, of the side set \"{}\", follows other nodes already: it hangs on a coarser cell, or belongs "
+          "to another tied surface. A Primary Side Set may have such nodes; one list may tie both faces of an edge",
+          node_in_words(mesh, tie.node), secondary.name));
 }
 
 /// A secondary surface and what it faces.
@@ -65,15 +67,18 @@ class SurfaceTie {
     const MortarSurfaces surfaces{secondary_.sides, primary_.sides, mesh_.axisymmetric,
                                   [this](const Facet& side) { return reach(side); }};
     const std::vector<FacingParts> parts = all_facing_parts(surfaces);
+    const std::vector<bool> at_rim = facets_at_rim(surfaces.secondary);
     for (std::size_t k = 0; k < parts.size(); ++k)
-      if (!is_covered(parts[k])) refuse_uncovered(surfaces.secondary[k], parts[k]);
+      if (!is_covered(parts[k], at_rim[k])) refuse_uncovered(surfaces.secondary[k], parts[k]);
     const MortarWeights weights = mortar_weights(surfaces, parts);
     if (weights.failed != nullptr)
       throw InputError(
           fmt::format("{} is too distorted, or the surface too bent there, to be projected onto the side "
                       "set \"{}\"; smaller cells help",
                       side_in_words(*weights.failed), primary_.name));
+    mesh_.ties.reserve(mesh_.ties.size() + weights.of_node.size());
     for (const auto& [node, masters] : weights.of_node) mesh_.ties.push_back(tie_of(node, masters));
+    refuse_leaving_the_axis();
     place_tied_nodes(mesh_);
     refuse_long_ways();
   }
@@ -87,13 +92,13 @@ class SurfaceTie {
 
   [[noreturn]] void refuse_uncovered(const Facet& side, const FacingParts& found) const {
     if (found.covered > 1)
-      throw InputError(fmt::format("several sides of \"{}\" face {}: they cover {:.3g} times its area within {:.3g} L0",
+      throw InputError(fmt::format("several sides of \"{}\" face {}: they cover {:.6g} times its area within {:.3g} L0",
                                    primary_.name, side_in_words(side), found.covered, reach(side)));
     if (found.too_far > 0)
       throw InputError(fmt::format("{} is {:.3g} L0 away from \"{}\"; the tolerance is {:.3g} L0", side_in_words(side),
                                    found.too_far, primary_.name, reach(side)));
     throw InputError(
-        fmt::format("the sides of \"{}\" face {:.3g} % of {}. A primary surface must cover the secondary one; if it is "
+        fmt::format("the sides of \"{}\" face {:.6g} % of {}. A primary surface must cover the secondary one; if it is "
                     "the smaller one, exchange them",
                     primary_.name, 100 * found.covered, side_in_words(side)));
   }
@@ -111,6 +116,19 @@ class SurfaceTie {
     }
     tie.weights[largest] += 1 - sum;  // rounding: a translation moves the node as its masters, to the last digit
     return tie;
+  }
+
+  /// A node on the axis stays there only with nodes that do.
+  void refuse_leaving_the_axis() const {
+    if (!mesh_.axisymmetric) return;
+    const auto is_off = [this](int node) { return node_place(mesh_, node)[0] > place_tolerance(mesh_); };
+    for (const Tie& tie : mesh_.ties)
+      if (secondary_.nodes.count(tie.node) > 0 && !is_off(tie.node) &&
+          std::any_of(tie.masters.begin(), tie.masters.end(), is_off))
+        throw InputError(
+            fmt::format("{}, of \"{}\", is on the axis and would follow nodes that are not; \"{}\" must have a node "
+                        "there, and both at least two sides",
+                        node_in_words(mesh_, tie.node), secondary_.name, primary_.name));
   }
 
   void refuse_long_ways() const {

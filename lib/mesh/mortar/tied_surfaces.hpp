@@ -16,6 +16,9 @@ namespace ixos {
 /// surfaces, to rounding where the sides are parallelograms. A curved edge of a quadratic side counts as its chords. On
 /// an axisymmetric mesh the integrals are those of the surface of revolution.
 ///
+/// On curved surfaces the integrals are those over the projections. Rims within `tolerance` of each other count as one,
+/// so that a rim moves onto the other. Sides at a rim may be covered but for a tenth.
+///
 /// Moves the tied nodes to where their masters put them. Primary nodes may be tied themselves, secondary ones not. Adds
 /// the nodes of both sets to Mesh::nodes_of_tied_sides.
 ///

@@ -83,6 +83,11 @@ std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) 
   for (const SceneNode& node : scene.sublist("Grips").sublists()) inspection.nodes(node, true);
   if (lists.size() == 1 && lists.front().path() == "Mesh")
     return is_from_outside(lists.front()) ? faults(mesh, inspection.held()) : std::vector<std::string>();
+  std::vector<bool> all_held = inspection.held();
+  for (const Tie& tie : mesh.ties) {  // another part holds what is tied to it
+    all_held[static_cast<std::size_t>(tie.node)] = true;
+    for (const int master : tie.masters) all_held[static_cast<std::size_t>(master)] = true;
+  }
   std::vector<std::string> warnings;
   for (const SceneNode& part : lists) {
     if (!is_from_outside(part)) continue;
@@ -90,7 +95,7 @@ std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) 
     const Mesh own = part_of_joined(mesh, part.name(), old);
     std::vector<bool> held;
     held.reserve(old.size());
-    for (const int node : old) held.push_back(inspection.held()[static_cast<std::size_t>(node)]);
+    for (const int node : old) held.push_back(all_held[static_cast<std::size_t>(node)]);
     for (const std::string& fault : faults(own, held))
       warnings.push_back(fmt::format("part \"{}\": {}", part.name(), fault));
   }

@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include "base/vector3.hpp"
+#include "mesh/fitted_normal.hpp"
+#include "mesh/node_place.hpp"
+#include "mesh/selection.hpp"
 #include "scene/read/grips.hpp"
 #include "scene/read/initial_conditions.hpp"
 
@@ -63,6 +66,19 @@ const Set* find(const std::vector<Set>& sets, const std::string& name) {
   return found == sets.end() ? nullptr : &*found;
 }
 
+/// Returns the axis along the normal of a plane of symmetry, as "x"; empty if there is none.
+std::string axis_across(const SceneNode& node, const Mesh& mesh) {
+  const NodeSet* const set = find_set(mesh.node_sets, node.text("Node Set"));
+  if (set == nullptr) return "";
+  std::vector<Vec<3>> places;
+  for (const int number : set->nodes)
+    if (!mesh.is_derivative(number)) places.push_back(node_place(mesh, number));
+  const Vec<3> normal = at(node.path_of("Node Set"), [&] { return fitted_normal(mesh.dimension, places); });
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::abs(normal[i]) > 1 - 1e-9) return std::string(1, "xyz"[i]);
+  return "";
+}
+
 }  // namespace
 
 Driving::Driving(const SceneNode& scene, const Histories& histories, const StepControlOptions& control,
@@ -81,7 +97,9 @@ Driving::Driving(const SceneNode& scene, const Histories& histories, const StepC
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
     if (node.text("Type") == "Displacement")
       add_motion(node, node.text("Components"), node.text("History"), histories, parts_of(node, mesh));
-    else if (node.text("Type") != "Symmetry")
+    else if (node.text("Type") == "Symmetry")
+      add_motion(node, axis_across(node, mesh), "", histories, parts_of(node, mesh));
+    else
       add_load(node, histories, mesh);
   }
   for (const SceneNode& node : scene.sublist("Grips").sublists()) add_grip(node, histories, mesh);

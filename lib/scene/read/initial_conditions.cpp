@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "discretization/nodal_measure.hpp"
 #include "interaction/direction.hpp"
@@ -132,6 +133,27 @@ Point centre_of(const std::vector<std::size_t>& blocks, const Model& model, cons
   return centre;
 }
 
+/// Throws InputError if a tied node was given another velocity than the nodes that it follows.
+void refuse_torn_velocities(const Model& model, const std::vector<double>& given, const std::vector<double>& moved) {
+  const LocalMesh& mesh = model.mesh();
+  if (mesh.global_tied == 0) return;
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  double fastest = 0;
+  for (const double v : given) fastest = std::max(fastest, std::abs(v));
+  fastest = model.space().maximum(fastest);
+  together<InputError>(model.space().comm(), [&] {
+    for (int node = mesh.ties.first(); node < mesh.nodes() && !mesh.ties.empty(); ++node)
+      for (std::size_t i = 0; i < d; ++i) {
+        const std::size_t k = static_cast<std::size_t>(node) * d + i;
+        if (std::abs(given[k] - moved[k]) > 1e-9 * fastest)
+          throw InputError(fmt::format(
+              "Initial Conditions: node {} of the mesh follows others (Mesh/Refine, Ties or Periodic), which "
+              "have another velocity: along {} {:.6g} L0/T0, not {:.6g} L0/T0; give its block their velocity",
+              mesh.message_number(static_cast<std::size_t>(node)), "xyz"[i], moved[k], given[k]));
+      }
+  });
+}
+
 }  // namespace
 
 void declare_initial_conditions(Teuchos::ParameterList& list) {
@@ -192,7 +214,9 @@ std::vector<double> initial_velocities(const std::vector<InitialMotion>& motions
     throw InputError(fmt::format("{}: its blocks share nodes with those of {}, but not the velocities there",
                                  motions[pair % motions.size()].path, motions[pair / motions.size()].path));
   }
+  const std::vector<double> given = v;
   model.space().update_ghosts(v.data());
+  refuse_torn_velocities(model, given, v);
   return v;
 }
 

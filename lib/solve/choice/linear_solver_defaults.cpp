@@ -277,8 +277,8 @@ void require_coarse_cells(const ProblemSize& size) {
 
 void require_coarse_terms(const ProblemSize& size) {
   if (!size.fine_only.empty())
-    refuse_two_level("a Galerkin product on linear cells (TangentAction::add_coarse) of each term, which " +
-                     size.fine_only + " does not offer");
+    refuse_two_level("a Galerkin product on linear cells (TangentAction::add_coarse), which " + size.fine_only +
+                     " does not offer");
 }
 
 bool may_use_coarse_cells(const ParameterList& user, int dimension, long long dofs, int ranks) {

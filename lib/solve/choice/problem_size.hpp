@@ -10,9 +10,9 @@ namespace ixos {
 /// Returns whether all cells of the mesh are quadratic. Same on all ranks.
 bool has_quadratic_cells(const LocalMesh& mesh);
 
-/// Returns, in quotes, the name of the last term whose tangent can be applied without a matrix, but has no Galerkin
-/// product on linear cells (TangentAction::has_coarse()), or "a plane of symmetry"; empty if there is neither.
-/// Collective.
+/// Returns what has no Galerkin product on linear cells (TangentAction::has_coarse()): in quotes the name of the last
+/// term whose tangent can be applied without a matrix; or, in words, planes of symmetry or tied corners of cells. Empty
+/// if all have one. Collective.
 std::string term_without_coarse(const Model& model);
 
 /// Returns the properties of the derivatives of a model's semi-discrete equation, for solvers that no scene describes:

@@ -9,7 +9,7 @@ namespace ixos {
 Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model) {
   const auto modes = rigid_body_modes(model.mesh(), model.space(), model.constraints().dofs());
   const auto view = modes->getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (std::size_t m = 0; m < modes->getNumVectors(); ++m)
+  for (std::size_t m = 0; m < modes->getNumVectors() && model.mesh().owned_nodes > 0; ++m)
     model.constraints().planes().project(&view(0, m), model.mesh().owned_nodes);
   return modes;
 }

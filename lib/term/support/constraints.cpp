@@ -28,14 +28,18 @@ void Constraints::check(int dof, const std::vector<MotionShare>& shares) const {
   if (dimension_ > 0 && std::any_of(shares.begin(), shares.end(), is_motion))
     for (const Vec<3>& normal : planes_.normals(dof / static_cast<int>(dimension_)))
       if (std::abs(normal[dof_index(dof) % dimension_]) > 1e-9) throw InputError(across_plane);
-  if (!holds(dof)) return;
+  if (holds(dof) && !holds_by(dof, shares))
+    throw InputError("two conditions prescribe different motions for one degree of freedom");
+}
+
+bool Constraints::holds_by(int dof, const std::vector<MotionShare>& shares) const {
+  if (!holds(dof)) return false;
   std::vector<MotionShare> known;
   for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k)
     known.push_back({entries_[k].factor, motions_[entries_[k].motion]});
   const std::vector<MotionShare> held{{0.0, nullptr}};
   const std::vector<MotionShare>& wanted = shares.empty() ? held : shares;
-  if (!std::equal(known.begin(), known.end(), wanted.begin(), wanted.end(), are_same))
-    throw InputError("two conditions prescribe different motions for one degree of freedom");
+  return std::equal(known.begin(), known.end(), wanted.begin(), wanted.end(), are_same);
 }
 
 void Constraints::add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) {
@@ -64,6 +68,14 @@ bool Constraints::moves(int dof) const {
   for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k)
     if (motions_[entries_[k].motion] != nullptr) return true;
   return false;
+}
+
+bool Constraints::holds_in_plane(int node, std::size_t dimension, const Vec<3>& normal) const {
+  Vec<3> left = 1 / length(normal) * normal;
+  for (std::size_t i = 0; i < dimension; ++i)
+    if (holds_by(node * static_cast<int>(dimension) + static_cast<int>(i), {})) left[i] = 0;
+  for (const Vec<3>& own : planes_.normals(node)) left = left - inner(own, left) * own;
+  return length(left) < 1e-4;
 }
 
 void Constraints::check_plane(int node, std::size_t dimension, const Vec<3>& normal) const {

@@ -34,6 +34,10 @@ class Constraints {
 
   bool empty() const { return entries_.empty() && planes_.empty(); }
   bool holds(int dof) const { return static_cast<std::size_t>(dof) < index_.size() && index_[dof_index(dof)] >= 0; }
+  /// Returns whether a degree of freedom is held by that sum of motions; without any, at zero.
+  bool holds_by(int dof, const std::vector<MotionShare>& shares) const;
+  /// Returns whether a node stays in a plane of that normal: by its planes and the components that are held at zero.
+  bool holds_in_plane(int node, std::size_t dimension, const Vec<3>& normal) const;
   const std::vector<int>& dofs() const { return dofs_; }
   const NodePlanes& planes() const { return planes_; }
   /// Returns whether any degree of freedom moves.

@@ -4,7 +4,7 @@ namespace ixos {
 namespace {
 
 /// A normal that is a combination of others has this length left at most [-].
-constexpr double nothing_left = 1e-6;
+constexpr double nothing_left = 1e-4;
 
 /// Adds what is left of a normal across the others.
 void add_orthogonal(Vec<3> normal, std::vector<Vec<3>>& normals) {

@@ -135,6 +135,42 @@ TEST(TiedSurfacesTest, PrimaryNodesMayFollowOthersButNoSecondaryOnes) {
   EXPECT_NO_THROW(resolved_ties(mesh));
 }
 
+/// One coarse side before many fine ones, far from the origin of a file's coordinates.
+TEST(TiedSurfacesTest, ACoarseSideFindsAllFineOnes) {
+  BoxShape lower, upper;
+  lower.dimension = upper.dimension = 3;
+  lower.divisions = {60, 60, 1};
+  upper.divisions = {1, 1, 1};
+  lower.lower = {7, -13, 0};
+  upper.lower = {7, -13, 1};
+  Mesh mesh = joined_parts({{"lower", box(lower)}, {"upper", box(upper)}});
+  EXPECT_EQ(refusal(mesh, "upper_bottom", "lower_top"), "");
+}
+
+/// Both ends of two cylinders, whose rims are other polygons of one circle.
+TEST(TiedSurfacesTest, RoundFacesOfOtherDivisionsAreTied) {
+  const auto cylinder = [](int n, double bottom) {
+    BoxShape shape;
+    shape.dimension = 3;
+    shape.lower = {-1, -1, bottom};
+    shape.lengths = {2, 2, 1};
+    shape.divisions = {n, n, 1};
+    Mesh mesh = box(shape);
+    for (std::size_t k = 0; k < mesh.coordinates.size(); k += 3) {  // squares become circles
+      const double x = mesh.coordinates[k], y = mesh.coordinates[k + 1];
+      mesh.coordinates[k] = x * std::sqrt(1 - y * y / 2);
+      mesh.coordinates[k + 1] = y * std::sqrt(1 - x * x / 2);
+    }
+    return mesh;
+  };
+  for (const auto& [lower, upper] : {std::pair{6, 8}, {8, 6}, {9, 7}}) {
+    Mesh mesh = joined_parts({{"lower", cylinder(lower, 0)}, {"upper", cylinder(upper, 1)}});
+    EXPECT_EQ(refusal(mesh, "upper_bottom", "lower_top"), "") << lower << " and " << upper;
+    tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
+    EXPECT_EQ(mesh.ties.size(), static_cast<std::size_t>((upper + 1) * (upper + 1)));
+  }
+}
+
 TEST(TiedSurfacesTest, NodesKeepTheirPlaceInTheListWhenOthersGo) {
   Mesh mesh = two_blocks(3, 0);
   tie_surfaces(mesh, "upper_bottom", "lower_top", 0);

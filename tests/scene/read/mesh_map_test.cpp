@@ -19,7 +19,7 @@ namespace {
 /// The list "Mesh" of a box with all defaults.
 Teuchos::ParameterList box_list() {
   Teuchos::ParameterList list = scene_parameters().sublist("Mesh");
-  for (const char* named : {"Sets", "Refine", "Periodic"}) {
+  for (const char* named : {"Sets", "Refine", "Ties", "Periodic"}) {
     list.remove(named);
     list.sublist(named);
   }

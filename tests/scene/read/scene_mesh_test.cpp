@@ -18,7 +18,7 @@ namespace {
 /// The list "Mesh" with all defaults, of that type and without further sets.
 Teuchos::ParameterList mesh_list(const std::string& type) {
   Teuchos::ParameterList list = scene_parameters().sublist("Mesh");
-  for (const char* named : {"Sets", "Refine", "Periodic"}) {
+  for (const char* named : {"Sets", "Refine", "Ties", "Periodic"}) {
     list.remove(named);
     list.sublist(named);
   }

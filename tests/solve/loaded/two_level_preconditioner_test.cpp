@@ -326,7 +326,7 @@ TEST(TwoLevelTest, ATermOfAProgramWithoutGalerkinProductIsNamed) {
   EXPECT_EQ(problem_size(model).fine_only, "\"Bed\"");
   EXPECT_EQ(chosen(problem_size(model), ""), "MueLu");
   const std::string words =
-      "\"Two-Level\" needs a Galerkin product on linear cells (TangentAction::add_coarse) of each term, which \"Bed\" "
+      "\"Two-Level\" needs a Galerkin product on linear cells (TangentAction::add_coarse), which \"Bed\" "
       "does not offer; use \"MueLu\", \"Ifpack2\" or \"Direct\"";
   test::expect_contains(test::refusal([&] { chosen(problem_size(model), "Two-Level"); }), words);
   const SemiDiscreteOperator w(model);  // where no list was completed
