@@ -9,7 +9,6 @@
 #include "solve/choice/problem_size.hpp"
 
 namespace ixos {
-
 namespace {
 
 /// Sets K_ii of nodes in planes to that of P K P + factor (I - P), see NodePlanes, of a K without other entries.

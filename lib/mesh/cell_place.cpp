@@ -1,4 +1,5 @@
 #include "mesh/cell_place.hpp"
+#include "mesh/node_place.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,10 @@ CellPlace place_of(const Mesh& mesh, const ElementBlock& block, int cell) {
 std::string point_in_words(const std::array<double, 3>& point, int dimension) {
   return dimension == 2 ? fmt::format("({:.6g}, {:.6g})", point[0], point[1])
                         : fmt::format("({:.6g}, {:.6g}, {:.6g})", point[0], point[1], point[2]);
+}
+
+std::string node_in_words(const Mesh& mesh, int node) {
+  return fmt::format("node {} of the mesh at {}", node + 1, point_in_words(node_place(mesh, node), mesh.dimension));
 }
 
 std::string in_words(const CellPlace& place, int dimension) {

@@ -37,6 +37,9 @@ CellPlace place_of(const Mesh& mesh, const ElementBlock& block, int cell);
 /// Returns "(0.5, 1)", the coordinates of a point in as many dimensions.
 std::string point_in_words(const std::array<double, 3>& point, int dimension);
 
+/// Returns "node 3 of the mesh at (0.5, 1)" for the node 2.
+std::string node_in_words(const Mesh& mesh, int node);
+
 /// Returns "block "body", cell 3 at (0.5, 1)"; of a cell that comes from a file "cell 3 (number 17 in the file)".
 std::string in_words(const CellPlace& place, int dimension);
 

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 #include "base/eigenpairs.hpp"
 #include "base/error.hpp"
+#include "mesh/node_place.hpp"
 
 namespace ixos {
 
@@ -44,6 +45,14 @@ Vec<3> fitted_normal(int dimension, const std::vector<Vec<3>>& places, const std
   for (double& component : normal)
     if (std::abs(component) < flat) component = 0;
   return 1 / length(normal) * normal;
+}
+
+Vec<3> fitted_normal(const Mesh& mesh, const NodeSet& set) {
+  std::vector<Vec<3>> places;
+  places.reserve(set.nodes.size());
+  for (const int node : set.nodes)
+    if (!mesh.is_derivative(node)) places.push_back(node_place(mesh, node));
+  return fitted_normal(mesh.dimension, places);
 }
 
 }  // namespace ixos

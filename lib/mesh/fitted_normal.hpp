@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "mesh/mesh.hpp"
 
 namespace ixos {
 
@@ -13,5 +14,8 @@ namespace ixos {
 /// or have no plane: they are on one line, in two dimensions at one point.
 Vec<3> fitted_normal(int dimension, const std::vector<Vec<3>>& places,
                      const std::function<void(double*, int)>& sum = {});
+
+/// Returns that of the nodes of a set, without derivative nodes.
+Vec<3> fitted_normal(const Mesh& mesh, const NodeSet& set);
 
 }  // namespace ixos

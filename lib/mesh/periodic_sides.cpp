@@ -38,9 +38,8 @@ void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& 
                       leaders = nodes_of(mesh, side_set_named(mesh, primary));
   for (const int node : followers)
     if (leaders.count(node) > 0)
-      throw InputError(
-          fmt::format("the side sets \"{}\" and \"{}\" share node {} of the mesh at {}; periodic sides lie apart",
-                      secondary, primary, node + 1, point_in_words(node_place(mesh, node), mesh.dimension)));
+      throw InputError(fmt::format("the side sets \"{}\" and \"{}\" share {}; periodic sides lie apart", secondary,
+                                   primary, node_in_words(mesh, node)));
   if (followers.empty() || followers.size() != leaders.size())
     throw InputError(fmt::format(
         "the side set \"{}\" has {} nodes and \"{}\" {}; periodic sides have the same mesh and at least one side",

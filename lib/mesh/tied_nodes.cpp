@@ -1,21 +1,16 @@
 #include "mesh/tied_nodes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 
 #include "mesh/cell_place.hpp"
-#include "mesh/node_place.hpp"
 
 namespace ixos {
 namespace {
 
 auto name_in(const Mesh& mesh) {
-  return [&mesh](int node) {
-    return fmt::format("node {} of the mesh at {}", node + 1, point_in_words(node_place(mesh, node), mesh.dimension));
-  };
+  return [&mesh](int node) { return node_in_words(mesh, node); };
 }
 
 }  // namespace

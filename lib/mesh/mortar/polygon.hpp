@@ -1,6 +1,5 @@
 /// Convex polygons of a plane.
 #pragma once
-#include <array>
 #include <vector>
 
 #include "base/vec.hpp"

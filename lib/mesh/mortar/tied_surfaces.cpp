@@ -38,10 +38,6 @@ Surface surface_of(const Mesh& mesh, const std::string& name) {
   return surface;
 }
 
-std::string node_in_words(const Mesh& mesh, int node) {
-  return fmt::format("node {} of the mesh at {}", node + 1, point_in_words(node_place(mesh, node), mesh.dimension));
-}
-
 void refuse_nodes(const Mesh& mesh, const Surface& secondary, const Surface& primary) {
   if (mesh.plain_nodes >= 0) throw InputError("the mesh has enriched sides; tie surfaces before it is enriched");
   for (const int node : secondary.nodes)

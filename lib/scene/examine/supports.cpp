@@ -151,10 +151,7 @@ class Supports {
   }
 
   void hold_in_plane(const NodeSet& set) {
-    std::vector<Point> places;
-    for (const int node : set.nodes)
-      if (!mesh_.is_derivative(node)) places.push_back(place(node));
-    const Point normal = fitted_normal(mesh_.dimension, places);
+    const Point normal = fitted_normal(mesh_, set);
     for (const int node : set.nodes)
       if (!mesh_.is_derivative(node)) bodies_[part_of(node)].outer.push_back({place(node), normal});
   }

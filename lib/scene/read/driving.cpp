@@ -5,7 +5,6 @@
 
 #include "base/vector3.hpp"
 #include "mesh/fitted_normal.hpp"
-#include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
 #include "scene/read/grips.hpp"
 #include "scene/read/initial_conditions.hpp"
@@ -70,10 +69,7 @@ const Set* find(const std::vector<Set>& sets, const std::string& name) {
 std::string axis_across(const SceneNode& node, const Mesh& mesh) {
   const NodeSet* const set = find_set(mesh.node_sets, node.text("Node Set"));
   if (set == nullptr) return "";
-  std::vector<Vec<3>> places;
-  for (const int number : set->nodes)
-    if (!mesh.is_derivative(number)) places.push_back(node_place(mesh, number));
-  const Vec<3> normal = at(node.path_of("Node Set"), [&] { return fitted_normal(mesh.dimension, places); });
+  const Vec<3> normal = at(node.path_of("Node Set"), [&] { return fitted_normal(mesh, *set); });
   for (std::size_t i = 0; i < 3; ++i)
     if (std::abs(normal[i]) > 1 - 1e-9) return std::string(1, "xyz"[i]);
   return "";

@@ -32,6 +32,13 @@ void add_units(List& list) {
   list.set("Time", "1 ns", "Unit of time, T0.");
 }
 
+/// Declares a side set that follows another one.
+void declare_pair(List& list, const char* follower, const char* primary, const char* tolerance) {
+  list.set("Side Set", "", follower);
+  list.set("Primary Side Set", "", primary);
+  list.set("Tolerance", 0.0, tolerance, at_least(0));
+}
+
 void add_mesh(List& list) {
   meshes().declare(list);
   list.set(geometry_choice, "Plane Strain",
@@ -57,27 +64,22 @@ void add_mesh(List& list) {
                            "refer to the new places."));
   declare_set(list.sublist("Sets", false, "Additional sets, selected by region. The scene chooses their names.")
                   .sublist(any_name));
-  List& ties = list.sublist("Ties", false,
-                            "Pairs of surfaces that move as one though their meshes differ. The scene chooses the "
-                            "names of these lists.")
-                   .sublist(any_name);
-  ties.set("Side Set", "", "Side set whose nodes follow the other one. That must cover it.");
-  ties.set("Primary Side Set", "", "Side set that it follows.");
-  ties.set("Tolerance", 0.0,
-           "Distance up to which the surfaces may be apart [L0]: the nodes of the Side Set are moved onto the other "
-           "one. With 0, it is a twentieth of the size of a side.",
-           at_least(0));
-  List& periodic = list.sublist("Periodic", false,
-                                "Pairs of sides that are one: a wave that leaves through the one comes in through the "
-                                "other. Both have the same mesh, and one is the other moved by a translation. The "
-                                "scene chooses the names of these lists.")
-                       .sublist(any_name);
-  periodic.set("Side Set", "", "Side set whose nodes follow those of the other one.");
-  periodic.set("Primary Side Set", "", "Side set that they follow.");
-  periodic.set("Tolerance", 0.0,
+  declare_pair(
+      list.sublist("Ties", false,
+                   "Pairs of surfaces that move as one though their meshes differ. The scene chooses the "
+                   "names of these lists.")
+          .sublist(any_name),
+      "Side set whose nodes follow the other one. That must cover it.", "Side set that it follows.",
+      "Distance up to which the surfaces may be apart [L0]: the nodes of the Side Set are moved onto the other "
+      "one. With 0, it is a twentieth of the size of a side.");
+  declare_pair(list.sublist("Periodic", false,
+                            "Pairs of sides that are one: a wave that leaves through the one comes in through the "
+                            "other. Both have the same mesh, and one is the other moved by a translation. The "
+                            "scene chooses the names of these lists.")
+                   .sublist(any_name),
+               "Side set whose nodes follow those of the other one.", "Side set that they follow.",
                "Distance up to which a node may be off its partner's place [L0]. With 0, it is a thousandth of the "
-               "shortest edge of the mesh.",
-               at_least(0));
+               "shortest edge of the mesh.");
 }
 
 void add_condition(List& list) {
