@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "discretization/volume_squares.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/joined_parts.hpp"
@@ -12,6 +13,7 @@
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
+#include "time/schemes.hpp"
 
 namespace ixos::test {
 namespace {
@@ -128,6 +130,42 @@ void expect_conserved(const Mesh& mesh, const Table& table, int steps, double to
     EXPECT_NEAR(after.linear[i], before.linear[i], tolerance * 10) << table.name;
   for (std::size_t i = 0; i < before.angular.size() && angular; ++i)
     EXPECT_NEAR(after.angular[i], before.angular[i], tolerance * 10) << table.name;
+}
+
+Displacement harmonic(int dimension) {
+  return [dimension, k = std::sqrt(dimension - 1.0)](const double* x, std::size_t i) {
+    const double z = dimension == 3 ? x[2] : 0, e = std::exp(k * x[0]);
+    if (i == 0) return k * e * std::cos(x[1]) * std::cos(z);
+    return i == 1 ? -e * std::sin(x[1]) * std::cos(z) : -e * std::cos(x[1]) * std::sin(z);
+  };
+}
+
+double squared_error(const Mesh& mesh, const Displacement& exact) {
+  const auto model = model_of(mesh, elastic(linear_elastic, 0.3), Inertia::None);
+  const int dimension = mesh.dimension;
+  const LocalMesh& local = model->mesh();
+  const auto d = static_cast<std::size_t>(dimension);
+  const auto once = rate_ramp(1.0, 0.0, 0.0, RampShape::Linear);
+  std::vector<std::vector<double>> error(d), whole(d);
+  for (int node = 0; node < local.nodes(); ++node) {
+    const double* const x = &local.coordinates[static_cast<std::size_t>(node) * d];
+    bool outside = false;
+    for (std::size_t i = 0; i < d; ++i) outside = outside || x[i] < 1e-9 || x[i] > 1 - 1e-9;
+    for (std::size_t i = 0; i < d && outside && !local.is_tied(node); ++i)
+      model->constraints().add(node * dimension + static_cast<int>(i), exact(x, i), once);
+  }
+  Integrator integrator = direct(*model, static_equilibrium());
+  integrator.initialize(at_rest(*model), at_rest(*model), 0.0);
+  EXPECT_TRUE(integrator.step(1.0).converged);
+  for (std::size_t node = 0; node < static_cast<std::size_t>(local.nodes()); ++node)
+    for (std::size_t i = 0; i < d; ++i) {
+      const double u = exact(&local.coordinates[node * d], i);
+      error[i].push_back(integrator.state().u[node * d + i] - u);
+      whole[i].push_back(u);
+    }
+  double sums[] = {nodal_square(local, error), nodal_square(local, whole)};
+  model->space().sum(sums, 2);
+  return sums[0] / sums[1];
 }
 
 }  // namespace ixos::test

@@ -1,5 +1,7 @@
 /// Checks of bodies with tied nodes.
 #pragma once
+#include <cstddef>
+#include <functional>
 #include <string>
 
 #include "mesh/mesh.hpp"
@@ -21,5 +23,15 @@ void expect_affine_motion(const Mesh& mesh, const Material& material, const std:
 /// Expects that a free body, which spins and vibrates, keeps its energy, its momentum and, if `angular`, its angular
 /// momentum, over steps of 0.1 T0. `tolerance`: of the energy its share, of momenta a tenth [F T0, F L0 T0].
 void expect_conserved(const Mesh& mesh, const Table& table, int steps, double tolerance, bool angular);
+
+/// A component of a displacement at a place.
+using Displacement = std::function<double(const double* x, std::size_t i)>;
+
+/// A harmonic displacement, u = grad(exp(kx) cos y [cos z]), which solves the equations of any linear material.
+Displacement harmonic(int dimension);
+
+/// The integral of the squared error of a displacement of a linear body, the unit square or cube, over that of the
+/// displacement. Conditions prescribe it on the outside, but for tied nodes.
+double squared_error(const Mesh& mesh, const Displacement& exact);
 
 }  // namespace ixos::test

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "discretization/volume_squares.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
@@ -92,8 +91,7 @@ TEST(HangingNodesTest, EnergyMomentumConservesBothMomentaAndEnergy) {
   expect_conserved(3, ContactElement::Q1C1, energy_momentum(), 5, 1e-9);
 }
 
-/// The integral of the squared error of a harmonic displacement, u = grad(exp(kx) cos y [cos z]), which solves the
-/// equations of any linear material without a load, over that of the displacement.
+/// The squared error of a harmonic displacement on a mesh with a refined corner.
 double squared_error(int dimension, int order, int halvings) {
   BoxShape shape;
   shape.dimension = dimension;
@@ -104,33 +102,7 @@ double squared_error(int dimension, int order, int halvings) {
   RefinedRegion corner;  // one level: with more, the coarsest mesh has hardly a coarse cell left
   corner.lower.assign(static_cast<std::size_t>(dimension), 0.6);
   refine(mesh, {{"corner", corner}}, order);
-  const auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.3), Inertia::None);
-  const LocalMesh& local = model->mesh();
-  const auto d = static_cast<std::size_t>(dimension);
-  const double k = std::sqrt(dimension - 1.0);
-  const auto exact = [&](const double* x, std::size_t i) {
-    const double z = d == 3 ? x[2] : 0, e = std::exp(k * x[0]);
-    if (i == 0) return k * e * std::cos(x[1]) * std::cos(z);
-    return i == 1 ? -e * std::sin(x[1]) * std::cos(z) : -e * std::cos(x[1]) * std::sin(z);
-  };
-  const auto once = rate_ramp(1.0, 0.0, 0.0, RampShape::Linear);
-  for (const int node : local.node_sets[local.node_set("surface")])
-    for (std::size_t i = 0; i < d && !local.is_tied(node); ++i)
-      model->constraints().add(node * dimension + static_cast<int>(i),
-                               exact(&local.coordinates[static_cast<std::size_t>(node) * d], i), once);
-  Integrator integrator = test::direct(*model, static_equilibrium());
-  integrator.initialize(test::at_rest(*model), test::at_rest(*model), 0.0);
-  EXPECT_TRUE(integrator.step(1.0).converged);
-  std::vector<std::vector<double>> error(d), whole(d);
-  for (std::size_t node = 0; node < static_cast<std::size_t>(local.nodes()); ++node)
-    for (std::size_t i = 0; i < d; ++i) {
-      const double u = exact(&local.coordinates[node * d], i);
-      error[i].push_back(integrator.state().u[node * d + i] - u);
-      whole[i].push_back(u);
-    }
-  double sums[] = {nodal_square(local, error), nodal_square(local, whole)};
-  model->space().sum(sums, 2);
-  return sums[0] / sums[1];
+  return test::squared_error(mesh, test::harmonic(dimension));
 }
 
 TEST(HangingNodesTest, ErrorsFallWithTheOrderOfTheCells) {

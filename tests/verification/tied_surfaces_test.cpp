@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "discretization/volume_squares.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
@@ -90,46 +88,9 @@ Mesh boxes_of(int dimension, int order, int lower, int upper, bool tied) {
   return mesh;
 }
 
-/// A component of a displacement at a place.
-using Displacement = std::function<double(const double* x, std::size_t i)>;
-
-/// A harmonic displacement, u = grad(exp(kx) cos y [cos z]), which solves the equations of any linear material.
-Displacement harmonic(int dimension) {
-  return [dimension, k = std::sqrt(dimension - 1.0)](const double* x, std::size_t i) {
-    const double z = dimension == 3 ? x[2] : 0, e = std::exp(k * x[0]);
-    if (i == 0) return k * e * std::cos(x[1]) * std::cos(z);
-    return i == 1 ? -e * std::sin(x[1]) * std::cos(z) : -e * std::cos(x[1]) * std::sin(z);
-  };
-}
-
-/// The integral of the squared error of a displacement over that of the displacement. Conditions prescribe the outside
-/// where it is not tied.
-double squared_error(int dimension, int order, int lower, int upper, bool tied, const Displacement& exact) {
-  const auto model =
-      test::model_of(boxes_of(dimension, order, lower, upper, tied), test::elastic(linear_elastic, 0.3), Inertia::None);
-  const LocalMesh& local = model->mesh();
-  const auto d = static_cast<std::size_t>(dimension);
-  const auto once = rate_ramp(1.0, 0.0, 0.0, RampShape::Linear);
-  std::vector<std::vector<double>> error(d), whole(d);
-  for (int node = 0; node < local.nodes(); ++node) {
-    const double* const x = &local.coordinates[static_cast<std::size_t>(node) * d];
-    bool outside = false;
-    for (std::size_t i = 0; i < d; ++i) outside = outside || x[i] < 1e-9 || x[i] > 1 - 1e-9;
-    for (std::size_t i = 0; i < d && outside && !local.is_tied(node); ++i)
-      model->constraints().add(node * dimension + static_cast<int>(i), exact(x, i), once);
-  }
-  Integrator integrator = test::direct(*model, static_equilibrium());
-  integrator.initialize(test::at_rest(*model), test::at_rest(*model), 0.0);
-  EXPECT_TRUE(integrator.step(1.0).converged);
-  for (std::size_t node = 0; node < static_cast<std::size_t>(local.nodes()); ++node)
-    for (std::size_t i = 0; i < d; ++i) {
-      const double u = exact(&local.coordinates[node * d], i);
-      error[i].push_back(integrator.state().u[node * d + i] - u);
-      whole[i].push_back(u);
-    }
-  double sums[] = {nodal_square(local, error), nodal_square(local, whole)};
-  model->space().sum(sums, 2);
-  return sums[0] / sums[1];
+/// The squared error of a displacement on boxes_of().
+double squared_error(int dimension, int order, int lower, int upper, bool tied, const test::Displacement& exact) {
+  return test::squared_error(boxes_of(dimension, order, lower, upper, tied), exact);
 }
 
 TEST(TiedSurfacesTest, ErrorsFallWithTheOrderOfTheCells) {
@@ -138,8 +99,9 @@ TEST(TiedSurfacesTest, ErrorsFallWithTheOrderOfTheCells) {
       for (const auto& [lower, upper] : {std::pair{2, 3}, {3, 2}}) {
         const int finer = dimension == 2 ? 4 : 2;
         const double coarse = squared_error(dimension, order, finer / 2 * lower, finer / 2 * upper, true,
-                                            harmonic(dimension)),
-                     fine = squared_error(dimension, order, finer * lower, finer * upper, true, harmonic(dimension));
+                                            test::harmonic(dimension)),
+                     fine =
+                         squared_error(dimension, order, finer * lower, finer * upper, true, test::harmonic(dimension));
         EXPECT_GT(std::log2(coarse / fine) / 2, order + 0.7)
             << dimension << "D, order " << order << ", " << lower << " to " << upper;
       }
@@ -156,8 +118,8 @@ TEST(TiedSurfacesTest, CellsOfVeryDifferentSizesPassAffineMotions) {
 TEST(TiedSurfacesTest, MatchingMeshesAreOne) {
   for (const int dimension : {2, 3})
     for (const int order : {1, 2}) {
-      const double merged = squared_error(dimension, order, 3, 3, false, harmonic(dimension));
-      EXPECT_NEAR(squared_error(dimension, order, 3, 3, true, harmonic(dimension)) / merged, 1, 1e-9)
+      const double merged = squared_error(dimension, order, 3, 3, false, test::harmonic(dimension));
+      EXPECT_NEAR(squared_error(dimension, order, 3, 3, true, test::harmonic(dimension)) / merged, 1, 1e-9)
           << dimension << "D, order " << order;
     }
 }
