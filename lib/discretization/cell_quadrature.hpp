@@ -19,7 +19,8 @@ QuadratureRule<Element::dimension> cell_rule(const LocalBlock& block, int points
     for (std::size_t d = 0; block.points > 0 && d + 1 < counts.size(); ++d) counts[d] = block.points;
     return product_rule(counts);
   } else {
-    return points > 0 ? element_rule<Element>(points + CellTraits<Element>::order - 1) : element_rule<Element>();
+    return points > 0 ? element_rule<Element>(points + CellTraits<Element>::order - 1)
+                      : own_rule<Element>(block.high_rule);
   }
 }
 

@@ -45,7 +45,7 @@ void add(const LocalMesh& mesh, const int* nodes, const std::array<double, Eleme
 void add_block_measure(const LocalMesh& mesh, const LocalBlock& block, std::vector<double>& measure) {
   with_element(block.type, [&](auto tag) {
     using Element = typename decltype(tag)::type;
-    const ShapeTable<Element> table(element_rule<Element>(), block.tied);
+    const ShapeTable<Element> table(mass_rule<Element>(), block.tied);
     for (int cell = 0; cell < block.cells(); ++cell)
       add<Element, Element::dimension>(mesh, &block.nodes[cell_entry(cell, Element::nodes)],
                                        cell_scales<Element>(block, cell), table, measure);
@@ -60,7 +60,7 @@ void add_side_measure(const LocalMesh& mesh, const std::vector<LocalSide>& sides
       using Element = typename decltype(tag)::type;
       static std::map<unsigned, ShapeTable<Element>> tables;  // by tied edges
       const unsigned tied = side_ties(block, side.side);
-      auto rule = element_rule<Element>();
+      auto rule = mass_rule<Element>();
       if constexpr (std::is_same_v<Element, Quad4CH>)  // as many as the face has along the same edge
         rule = product_rule(std::array<int, 2>{HermiteFace::default_points[0], Quad4CH::default_points[1]});
       const auto& table = tables.try_emplace(tied, rule, tied).first->second;

@@ -14,7 +14,11 @@ TiedPairs::TiedPairs(const std::vector<std::vector<int>>& stencils, const LocalM
   for (const std::vector<int>& stencil : stencils)
     for (const int row : stencil)
       for (const int column : stencil)
-        if (mesh.has_row(row) && (mesh.is_tied(row) || mesh.is_tied(column))) columns[row].insert(column);
+        if (mesh.has_row(row) && (mesh.is_tied(row) || mesh.is_tied(column))) {
+          columns[row].insert(column);
+          if (mesh.is_tied(row))
+            mesh.ties.for_each_share(column, [&](int master, double) { columns[row].insert(master); });
+        }
   for (const auto& [node, own] : columns) {
     Row row{node, end_, 0, {own.begin(), own.end()}};
     const int blocks = static_cast<int>(own.size());
@@ -55,12 +59,30 @@ void TiedPairs::find_targets(const NodeTies& ties, const std::function<int(int, 
                              const std::function<int(int)>& stride) {
   for (const Row& row : rows_)
     for (std::size_t k = 0; k < row.columns.size(); ++k)
-      ties.for_each_share(row.node, [&](int left, double weight) {
-        ties.for_each_share(row.columns[k], [&](int right, double share) {
-          const int to = offset(left, right);
-          if (to >= 0) targets_.push_back({offset_in(row, k), row.stride, to, stride(left), weight * share});
+      if (ties.is_tied(row.columns[k]))
+        ties.for_each_share(row.columns[k], [&](int master, double weight) {
+          add_target(offset_in(row, k), row.stride, offset(row.node, master), row.stride, weight);
         });
+  for (const Row& row : rows_)
+    if (ties.is_tied(row.node))
+      ties.for_each_share(row.node, [&](int master, double weight) {
+        if (offset(master, master) < 0) return;  // a row of another rank
+        for (std::size_t k = 0; k < row.columns.size(); ++k)
+          if (!ties.is_tied(row.columns[k]))
+            add_target(offset_in(row, k), row.stride, offset(master, row.columns[k]), stride(master), weight);
       });
+}
+
+void TiedPairs::add_target(int from, int from_stride, int to, int to_stride, double weight) {
+  if (!targets_.empty()) {
+    Target& last = targets_.back();
+    const bool follows = from == last.from + last.width && to == last.to + last.width && weight == last.weight;
+    if (follows && from_stride == last.from_stride && to_stride == last.to_stride) {
+      last.width += dimension_;
+      return;
+    }
+  }
+  targets_.push_back({from, from_stride, to, to_stride, dimension_, weight});
 }
 
 void TiedPairs::condense(double* values) const {
@@ -68,7 +90,7 @@ void TiedPairs::condense(double* values) const {
     for (int i = 0; i < dimension_; ++i) {
       const double* const from = values + target.from + std::ptrdiff_t{target.from_stride} * i;
       double* const to = values + target.to + std::ptrdiff_t{target.to_stride} * i;
-      for (int j = 0; j < dimension_; ++j) to[j] += target.weight * from[j];
+      for (int j = 0; j < target.width; ++j) to[j] += target.weight * from[j];
     }
   std::fill(values + first_value_, values + end_, 0.0);
 }

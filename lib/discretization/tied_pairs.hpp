@@ -9,8 +9,9 @@
 namespace ixos {
 
 /// Blocks of node pairs of which one is tied, in an array behind the values of a matrix: so elements write all of their
-/// entries alike, and only those near tied nodes are added once more, to the rows and columns of masters. Rows are
-/// owned nodes and tied nodes with an owned master. Part of a Pattern.
+/// entries alike, and only those near tied nodes are added once more: first to the columns of masters, for which the
+/// rows of tied nodes have room, too, then to the rows of masters. Rows are owned nodes and tied nodes with an owned
+/// master. Part of a Pattern.
 class TiedPairs {
  public:
   TiedPairs() = default;
@@ -41,18 +42,21 @@ class TiedPairs {
     int stride;  ///< between the rows of its blocks
     std::vector<int> columns;
   };
+  /// Blocks side by side that are added, with a weight, to others side by side.
   struct Target {
     int from, from_stride;
     int to, to_stride;
+    int width;  ///< values in a row of all of them
     double weight;
   };
   const Row* row_of(int node) const;
   int offset_in(const Row& row, std::size_t number) const;
+  void add_target(int from, int from_stride, int to, int to_stride, double weight);
 
   int dimension_ = 0;
   int first_value_ = 0, end_ = 0;
-  std::vector<Row> rows_;  ///< by ascending node
-  std::vector<Target> targets_;
+  std::vector<Row> rows_;        ///< by ascending node
+  std::vector<Target> targets_;  ///< in their order: a later one may read what an earlier one wrote
 };
 
 }  // namespace ixos

@@ -123,7 +123,9 @@ struct CellKernel {
   /// gradients stay in the nearest caches.
   static constexpr std::size_t batch = [] {
     std::size_t count = 1;
-    if constexpr (!HasRule<Element>::value)
+    if constexpr (HasRule<Element>::value)
+      count = Element::most_points;
+    else
       for (const int along : Element::default_points) count *= static_cast<std::size_t>(along);
     return std::min<std::size_t>(std::max<std::size_t>(count, 4), 32);
   }();

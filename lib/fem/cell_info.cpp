@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "fem/corner_element.hpp"
+#include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 
 namespace ixos {
@@ -17,6 +19,21 @@ constexpr CellType type_of() {
 }
 
 template <class Element>
+std::vector<NodeCorners> node_corners_of() {
+  if constexpr (!std::is_same_v<typename CellTraits<Element>::Plain, Element>) {
+    return {};
+  } else if constexpr (HasRule<Element>::value) {
+    return Element::node_corners();
+  } else if constexpr (!std::is_void_v<typename CornerElement<Element>::type>) {
+    return corners_of_nodes<Element>();
+  } else {
+    std::vector<NodeCorners> result;
+    for (int a = 0; a < Element::nodes; ++a) result.push_back({a});
+    return result;
+  }
+}
+
+template <class Element>
 CellInfo info_of(std::string_view name) {
   using Traits = CellTraits<Element>;
   return {type_of<Element>(),
@@ -27,6 +44,9 @@ CellInfo info_of(std::string_view name) {
           Traits::order,
           type_of<typename Traits::Corners>(),
           type_of<typename Traits::Plain>(),
+          type_of<typename DrawnAs<Element>::type>(),
+          Traits::bubbles,
+          node_corners_of<Element>(),
           Traits::side_nodes(),
           Traits::contact_side,
           Traits::contact,
@@ -72,8 +92,25 @@ CellType cube_type(int dimension, int order) {
   return cube->type;
 }
 
-const CellInfo* cube_with(int dimension, int nodes) {
-  return find_cell([&](const CellInfo& info) { return is_plain_cube(info, dimension) && info.nodes == nodes; });
+const CellInfo* cell_with(int dimension, int nodes) {
+  return find_cell([&](const CellInfo& info) {
+    return info.dimension == dimension && info.nodes == nodes && info.plain == info.type;
+  });
+}
+
+bool is_cube(CellType type) {
+  const ReferenceShape shape = cell_info(type).shape;
+  return shape == ReferenceShape::Quadrilateral || shape == ReferenceShape::Hexahedron;
+}
+
+CellType raised_type(CellType type, bool bubbles) {
+  const CellInfo& own = cell_info(type);
+  const bool wanted = bubbles && !is_cube(type);
+  const CellInfo* const raised = find_cell([&](const CellInfo& info) {
+    return info.shape == own.shape && info.order == 2 && info.plain == info.type && info.bubbles == wanted;
+  });
+  if (raised == nullptr) throw std::logic_error("cells of this shape have no second order");
+  return raised->type;
 }
 
 int nodes_per_cell(CellType type) { return cell_info(type).nodes; }

@@ -5,6 +5,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "fem/cells/prisms.hpp"
+#include "fem/cells/pyramids.hpp"
+#include "fem/cells/tetrahedra.hpp"
+#include "fem/cells/triangles.hpp"
 #include "fem/quadratic_contact_elements.hpp"
 #include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
@@ -43,6 +47,39 @@ struct CornerElement<Quad9C4> {
 template <>
 struct CornerElement<Hex27C4> {
   using type = Hex8;
+};
+
+template <>
+struct CornerElement<Tri6> {
+  using type = Tri3;
+};
+template <>
+struct CornerElement<Tri7> {
+  using type = Tri3;
+};
+template <>
+struct CornerElement<Tet10> {
+  using type = Tet4;
+};
+template <>
+struct CornerElement<Tet15> {
+  using type = Tet4;
+};
+template <>
+struct CornerElement<Prism18> {
+  using type = Prism6;
+};
+template <>
+struct CornerElement<Prism21> {
+  using type = Prism6;
+};
+template <>
+struct CornerElement<Pyr14> {
+  using type = Pyr5;
+};
+template <>
+struct CornerElement<Pyr19> {
+  using type = Pyr5;
 };
 
 /// Whether an element is linear, and so may have coarse cells (see Refinement).

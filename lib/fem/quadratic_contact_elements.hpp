@@ -136,9 +136,4 @@ struct Hex27C4 {
   }
 };
 
-/// Whether the element, or the section of the ring, is that of a cell type with is_quadratic().
-template <class Element>
-constexpr bool is_quadratic_element = std::is_base_of_v<Quad9, Element> || std::is_base_of_v<Hex27, Element> ||
-                                      std::is_base_of_v<Quad9C4, Element> || std::is_base_of_v<Hex27C4, Element>;
-
 }  // namespace ixos

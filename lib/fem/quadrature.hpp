@@ -19,6 +19,10 @@ Quadrature gauss_legendre(int n);
 /// Returns that rule mapped to [0, 1].
 Quadrature gauss_legendre_unit(int n);
 
+/// Returns the Gauss-Jacobi rule with n points for integrals of (1 - x)^power f(x) over [0, 1], exact for f of degree
+/// 2n - 1. Finds the roots one after another by Newton's method with deflation. Throws InputError unless 1 <= n <= 64.
+Quadrature gauss_jacobi_unit(int n, int power);
+
 /// Points of a reference shape of D dimensions, and their weights.
 template <std::size_t D>
 struct QuadratureRule {
@@ -29,12 +33,6 @@ struct QuadratureRule {
   std::size_t size() const { return weights.size(); }
   bool operator==(const QuadratureRule& other) const { return points == other.points && weights == other.weights; }
 };
-
-/// Returns a rule with positive weights on the triangle xi, eta >= 0, xi + eta <= 1, exact for polynomials of degree
-/// 1, 4, 5 for `along` = 1, 2, 3: 1, 6 and 7 points (Dunavant 1985, Int. J. Numer. Methods Eng. 21). Beyond it is the
-/// square of Gauss points with one side drawn together, of degree 2 along - 2.
-/// Throws InputError unless 1 <= along <= 64.
-QuadratureRule<2> triangle_rule(int along);
 
 /// Returns the product of Gauss rules with that many points along each direction, 1 to 64, the first direction fastest.
 template <std::size_t D>

@@ -18,7 +18,7 @@ template <class Element>
 struct HasRule<Element, std::void_t<decltype(Element::rule(1))>> : std::true_type {};
 
 /// Returns the rule of an element type: `along` points along each direction of a product of lines, the rule of as high
-/// a degree on other shapes, which list theirs in Element::rule(). Without a number it is the element's own.
+/// a degree on other shapes, which list theirs in Element::rule().
 template <class Element>
 auto element_rule(int along) {
   if constexpr (HasRule<Element>::value) {
@@ -29,10 +29,11 @@ auto element_rule(int along) {
     return product_rule(counts);
   }
 }
+/// Returns the element's own rule. `high`: that of simplices which are curved, or the sections of rings.
 template <class Element>
-auto element_rule() {
+auto own_rule(bool high = true) {
   if constexpr (HasRule<Element>::value)
-    return Element::rule(Element::default_along);
+    return Element::own_rule(high);
   else
     return product_rule(Element::default_points);
 }
@@ -41,9 +42,9 @@ auto element_rule() {
 template <class Element>
 auto mass_rule() {
   if constexpr (HasRule<Element>::value)
-    return Element::rule(Element::mass_along);
+    return Element::mass_rule();
   else
-    return element_rule<Element>();
+    return own_rule<Element>();
 }
 
 /// Values of an element's shape functions at the points of a rule.
@@ -53,7 +54,7 @@ struct ShapeTable {
   static constexpr std::size_t N = Element::nodes;
 
   /// `tied`: edges kept straight, see evaluate_tied().
-  explicit ShapeTable(const QuadratureRule<D>& rule = element_rule<Element>(), unsigned tied = 0)
+  explicit ShapeTable(const QuadratureRule<D>& rule = own_rule<Element>(), unsigned tied = 0)
       : two_points(std::all_of(rule.along.begin(), rule.along.end(), [](int count) { return count == 2; })),
         weight(rule.weights),
         point(rule.points),

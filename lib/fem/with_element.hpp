@@ -7,8 +7,11 @@
 
 #include "fem/cell_type.hpp"
 #include "fem/cells/hexahedra.hpp"
+#include "fem/cells/prisms.hpp"
+#include "fem/cells/pyramids.hpp"
 #include "fem/cells/quadrilaterals.hpp"
-#include "fem/cells/tri3.hpp"
+#include "fem/cells/tetrahedra.hpp"
+#include "fem/cells/triangles.hpp"
 
 namespace ixos {
 

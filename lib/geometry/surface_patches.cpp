@@ -29,6 +29,10 @@ SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<Loca
           fmt::format("the surface \"{}\" has sides of the Contact Element Q1CH, which surfaces of two bodies "
                       "cannot have yet; use another one",
                       name));
+    if (D == 3 && side_nodes(corner_type(block.type), side.side).size() == 3)
+      throw InputError(fmt::format(
+          "the surface \"{}\" has triangles; surfaces of two bodies need quadrilaterals (of hexahedra or prisms)",
+          name));
     if (side.nodes.size() != sides.front().nodes.size())
       throw InputError(
           fmt::format("the surface \"{}\" has sides of {} and of {} nodes; surfaces of two bodies need "

@@ -1,15 +1,47 @@
 #include "io/exodus_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "io/disk_file.hpp"
 #include "io/exodus_definition.hpp"
 #include "io/mesh_file.hpp"
+#include "mesh/normalize.hpp"
 
 namespace ixos {
+namespace {
 
-void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::string& title) {
+/// Returns the mesh as files have it: cells without bubbles, blocks of different names.
+Mesh as_drawn(Mesh mesh) {
+  bool dropped = false;
+  std::set<std::string> names;
+  for (ElementBlock& block : mesh.blocks) {
+    const std::string own = block.name;
+    for (int k = 2; !names.insert(block.name).second; ++k) block.name = fmt::format("{}_{}", own, k);
+    const CellType drawn = cell_info(block.type).drawn;
+    if (drawn == block.type) continue;
+    const int all = nodes_per_cell(block.type), kept = nodes_per_cell(drawn), cells = block.cells();
+    std::vector<int> nodes;
+    nodes.reserve(cell_entry(cells, kept));
+    for (int cell = 0; cell < cells; ++cell)
+      nodes.insert(nodes.end(), &block.nodes[cell_entry(cell, all)], &block.nodes[cell_entry(cell, all)] + kept);
+    block.type = drawn;
+    block.nodes = std::move(nodes);
+    dropped = true;
+  }
+  if (dropped) drop_unused_nodes(mesh);
+  return mesh;
+}
+
+}  // namespace
+
+void write_exodus_mesh(const Mesh& given, const std::string& path, const std::string& title) {
+  const Mesh mesh = as_drawn(given);
   const int id = create_exodus(path);
   if (id < 0) throw FileError(path + ": cannot be written");
   ExodusHandle file(id, path);
@@ -24,7 +56,9 @@ void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::str
 }
 
 MeshEntry exodus_mesh() {
-  return mesh_file_entry("Exodus", "A mesh of QUAD4 (2D) or HEX8 (3D) elements, read from an Exodus file.",
+  return mesh_file_entry("Exodus",
+                         "A mesh read from an Exodus file: triangles and quadrilaterals (2D), tetrahedra, prisms, "
+                         "pyramids and hexahedra (3D), of first or second order.",
                          read_exodus_mesh);
 }
 

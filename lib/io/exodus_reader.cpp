@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "io/exodus_shapes.hpp"
 #include "io/exodus_topology.hpp"
 #include "io/exodus_values.hpp"
+#include "io/file_cells.hpp"
 #include "io/guarded.hpp"
 #include "io/hdf5_handle.hpp"
 #include "mesh/normalize.hpp"
@@ -80,6 +82,7 @@ class Reader {
     read_block_headers();
     read_blocks();
     read_node_sets();
+    added_ = cells_->finish();
     read_side_sets();
     numbers(EX_NODE_MAP, header_.num_nodes, "node");
     number_cells(numbers(EX_ELEM_MAP, header_.num_elem, "element"));
@@ -91,7 +94,12 @@ class Reader {
 
   /// Returns the values of a nodal variable by node of the mesh that read() returned.
   std::vector<double> values(const std::string& name) const {
-    const std::vector<double> all = last_nodal_values(file_, name, header_.num_nodes);
+    std::vector<double> all = last_nodal_values(file_, name, header_.num_nodes);
+    for (const Middles::Sum& sum : added_) {
+      double value = 0;
+      for (const auto& [node, weight] : sum.weights) value += weight * all[static_cast<std::size_t>(node)];
+      all.push_back(value);
+    }
     std::vector<double> result;
     for (int node : node_) result.push_back(all[static_cast<std::size_t>(node)]);
     return result;
@@ -164,16 +172,21 @@ class Reader {
   void read_blocks() {
     std::vector<std::string> left_out;
     check_exodus_cells(file_, static_cast<int64_t>(blocks_.size()));
+    FileCellReader& reader = cells_.emplace(mesh_);
     for (const ExodusBlock& block : blocks_) {
       const bool kept = dimension_of(block, mesh_.dimension) >= cell_dimension_;
       if (!kept && is_shell(block) && block.cells > 0)
         refuse(path(),
-               "block \"{}\" has shells ({}) beside hexahedra, and Ixos has no shells: mesh this part with hexahedra, "
-               "or leave the block out of the file; surfaces on which something acts are side sets",
+               "block \"{}\" has shells ({}) beside cells of a volume, and Ixos has no shells: mesh this part's "
+               "volume, or "
+               "leave the block out of the file; surfaces on which something acts are side sets",
                block.name, block.topology);
       ElementBlock here{block.name, cube_type(cell_dimension_), {}};
-      if (kept && block.cells > 0) here.type = at(path(), [&] { return cell_type_of(block, mesh_.dimension); });
-      here.nodes = read_nodes(block);
+      if (kept && block.cells > 0) {
+        const FileCells& cells = at(path(), [&]() -> const FileCells& { return cells_of(block, mesh_.dimension); });
+        here.type = cells.type;
+        reader.add(cells, read_nodes(block), here);
+      }
       block_place_.push_back(kept ? static_cast<int>(mesh_.blocks.size()) : -1);
       if (kept)
         mesh_.blocks.push_back(std::move(here));
@@ -286,8 +299,7 @@ class Reader {
     try {
       flatten(mesh_);
     } catch (const InputError& error) {
-      refuse(path(), "{}{}", error.what(),
-             shells ? ". Ixos has no shells in space: mesh the volume of the body with hexahedra" : "");
+      refuse(path(), "{}{}", error.what(), shells ? ". Ixos has no shells in space: mesh the volume of the body" : "");
     }
   }
 
@@ -296,7 +308,9 @@ class Reader {
   int64_t most_ = 0;         ///< entries of any kind that a file of this length may have
   int64_t set_entries_ = 0;  ///< of the sets read so far, together
   Mesh mesh_;
-  std::vector<int> node_;  ///< by node of the mesh: its number in the file, from 0
+  std::optional<FileCellReader> cells_;
+  std::vector<Middles::Sum> added_;  ///< nodes behind those of the file, in their order
+  std::vector<int> node_;            ///< by node of the mesh: its number in the file, from 0
   int cell_dimension_ = 0;
   std::vector<ExodusBlock> blocks_;
   std::vector<int64_t> first_cell_;  ///< number of each block's first cell

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "fem/cell_type.hpp"
+#include "io/file_cells.hpp"
 
 namespace ixos {
 
@@ -18,16 +18,15 @@ struct ExodusBlock {
 /// Returns whether the elements are shells, as Cubit names the quadrilaterals of a surface by default.
 bool is_shell(const ExodusBlock& block);
 
-/// Returns how many sides of an element come before its edges: a shell of a file with three coordinates has its two
-/// faces as sides 1 and 2.
+/// Returns how many sides of an element come before its edges: a shell or a triangle of a file with three coordinates
+/// has its two faces as sides 1 and 2.
 int first_edge(const ExodusBlock& block, int file_dimension);
 
 /// Returns the dimension of the block's elements: 0 for points, 1 for lines, 2 for quadrilaterals, shells and
 /// triangles; that of the file for all other types.
 int dimension_of(const ExodusBlock& block, int file_dimension);
 
-/// Returns the type of the block's elements. Throws InputError, with gmsh's recipe for other ones, if Ixos does not
-/// compute with them.
-CellType cell_type_of(const ExodusBlock& block, int file_dimension);
+/// Returns the block's cells. Throws InputError, with what is allowed, if Ixos does not compute with them.
+const FileCells& cells_of(const ExodusBlock& block, int file_dimension);
 
 }  // namespace ixos

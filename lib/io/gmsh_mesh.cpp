@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "fem/cell_info.hpp"
+#include "io/file_cells.hpp"
 #include "io/mesh_file.hpp"
 #include "io/msh_file.hpp"
 #include "mesh/cell_sides.hpp"
@@ -18,8 +19,12 @@
 namespace ixos {
 namespace {
 
-/// gmsh's numbers of the types that Ixos computes with, by dimension; those of one dimension less are their sides.
-constexpr std::array<int, 4> cell_types{15, 1, 3, 5};
+/// Returns the number of corners of elements of gmsh's type; 0 if they can be no side of a cell.
+int corners_of_side(int type) {
+  if (msh_type(type).dimension == 1) return msh_type(type).nodes > 0 ? 2 : 0;
+  const FileCells* const cells = gmsh_cells(type);
+  return cells == nullptr ? 0 : nodes_per_cell(corner_type(cells->type));
+}
 
 class Builder {
  public:
@@ -33,13 +38,14 @@ class Builder {
   Mesh build() {
     if (dimension_ < 2)
       throw InputError(
-          fmt::format("has no cells: a mesh needs quadrilaterals (2D) or hexahedra (3D){}", missing_group()));
+          fmt::format("has no cells: a mesh needs surface elements (2D) or volume elements (3D){}", missing_group()));
     mesh_.dimension = 3;
     mesh_.coordinates = file_.coordinates;
     check_cells();
     add_blocks();
     add_side_sets();
     add_node_sets();
+    reader_.finish();
     drop_unused_nodes(mesh_);
     if (dimension_ == 2) flatten_surfaces();
     turn_cells(mesh_);
@@ -68,7 +74,7 @@ class Builder {
                : "";
   }
 
-  /// Quadrilaterals in space may be the sides of cells that are missing.
+  /// Surface elements in space may be the sides of cells that are missing.
   void flatten_surfaces() {
     const bool solid = std::any_of(file_.groups.begin(), file_.groups.end(),
                                    [](const auto& entity) { return entity.first.first == 3; });
@@ -99,16 +105,13 @@ class Builder {
     return name;
   }
 
-  /// Throws InputError if an element that is to be a cell is of another type, or belongs to several groups.
+  /// Throws InputError if an element that is to be a cell belongs to several groups.
   void check_cells() const {
     for (const MshElements& elements : file_.elements) {
       if (elements.dimension != dimension_) continue;
       const MshType type = msh_type(elements.type);
-      if (elements.type != cell_info(cube_type(dimension_)).gmsh)
-        throw InputError(
-            fmt::format("has {} with {} nodes; quadrilaterals with 4 nodes (2D) and hexahedra with 8 (3D) "
-                        "are allowed; Mesh/Cell Order 2 makes quadratic cells of them. {}",
-                        type.name, type.nodes, recombining_recipe(dimension_)));
+      if (gmsh_cells(elements.type) == nullptr)
+        throw std::logic_error(fmt::format("no cells are known for {} with {} nodes", type.name, type.nodes));
       const std::vector<int>& groups = groups_of(elements);
       if (groups.size() > 1)
         throw InputError(
@@ -119,15 +122,15 @@ class Builder {
     }
   }
 
-  /// Physical groups first, in the order of their tags.
+  /// Physical groups first, in the order of their tags; each makes a block for each type of its cells.
   void add_blocks() {
     std::set<std::string> taken;
-    std::map<std::string, std::size_t> places;
+    std::map<std::pair<std::string, CellType>, std::size_t> places;
     const auto add = [&](const std::string& name, const MshElements& elements) {
-      const auto place = places.emplace(name, mesh_.blocks.size()).first->second;
-      if (place == mesh_.blocks.size()) mesh_.blocks.push_back({name, cube_type(dimension_), {}});
-      std::vector<int>& nodes = mesh_.blocks[place].nodes;
-      nodes.insert(nodes.end(), elements.nodes.begin(), elements.nodes.end());
+      const FileCells& cells = *gmsh_cells(elements.type);
+      const auto place = places.emplace(std::pair(name, cells.type), mesh_.blocks.size()).first->second;
+      if (place == mesh_.blocks.size()) mesh_.blocks.push_back({name, cells.type, {}});
+      reader_.add(cells, elements.nodes, mesh_.blocks[place]);
       std::vector<long long>& tags = mesh_.blocks[place].file_numbers;
       tags.insert(tags.end(), elements.tags.begin(), elements.tags.end());
     };
@@ -156,12 +159,13 @@ class Builder {
   void add_sides(const MshElements& elements, const std::vector<CellSide>& sides, std::set<SideCorners>& distinct,
                  SideSet& set) const {
     const MshType type = msh_type(elements.type);
-    if (elements.type != cell_types[static_cast<std::size_t>(dimension_ - 1)])
-      throw InputError(fmt::format("the physical group \"{}\" has {} with {} nodes, which are no sides of {}", set.name,
-                                   type.name, type.nodes, dimension_ == 2 ? "quadrilaterals" : "hexahedra"));
+    const int corner_count = corners_of_side(elements.type);
+    if (corner_count == 0)
+      throw InputError(fmt::format("the physical group \"{}\" has {} with {} nodes, which are no sides of cells",
+                                   set.name, type.name, type.nodes));
     const auto nodes = static_cast<std::size_t>(type.nodes);
     for (auto first = elements.nodes.begin(); first != elements.nodes.end(); first += type.nodes) {
-      const SideCorners corners = sorted_corners({first, first + type.nodes});
+      const SideCorners corners = sorted_corners({first, first + corner_count});
       const auto [begin, end] = sides_with(sides, corners);
       const double* place = &mesh_.coordinates[3 * static_cast<std::size_t>(*first)];
       const std::string where = fmt::format("({:.6g}, {:.6g}, {:.6g})", place[0], place[1], place[2]);
@@ -195,6 +199,7 @@ class Builder {
   std::map<MshTag, Members> members_;  ///< the elements of each physical group
   std::size_t entries_ = 0;            ///< nodes of the elements of all groups, together
   Mesh mesh_;
+  FileCellReader reader_{mesh_};
 };
 
 }  // namespace
@@ -209,10 +214,12 @@ Mesh read_gmsh_mesh(const std::string& path) {
 }
 
 MeshEntry gmsh_mesh() {
-  return mesh_file_entry("Gmsh",
-                         "A mesh of quadrilaterals (2D) or hexahedra (3D), read from a file of gmsh (MSH 4.1, ASCII or "
-                         "binary). Physical groups become blocks, side sets and node sets of their names.",
-                         read_gmsh_mesh);
+  return mesh_file_entry(
+      "Gmsh",
+      "A mesh read from a file of gmsh (MSH 4.1 or 2.2, ASCII or binary), of first or second order: triangles "
+      "and quadrilaterals (2D), tetrahedra, prisms, pyramids and hexahedra (3D). Physical groups become "
+      "blocks, side sets and node sets of their names.",
+      read_gmsh_mesh);
 }
 
 }  // namespace ixos

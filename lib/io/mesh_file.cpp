@@ -35,15 +35,6 @@ MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence, 
            }}};
 }
 
-std::string recombining_recipe(int dimension) {
-  if (dimension == 2)
-    return "In gmsh, put these lines into the .geo file and mesh it again: Mesh.ElementOrder = 1; "
-           "Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = 1;";
-  return "In gmsh, extrude recombined quadrilaterals (Extrude {...} { Surface{...}; Layers{n}; Recombine; }), or use "
-         "Transfinite Volume with Recombine Surface, or put these lines into the .geo file and mesh it again: "
-         "Mesh.ElementOrder = 1; Mesh.SubdivisionAlgorithm = 2;";
-}
-
 bool reads_file(const MeshEntry& entry) { return entry.parameters.isParameter("File"); }
 
 }  // namespace ixos

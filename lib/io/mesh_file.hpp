@@ -10,10 +10,6 @@ namespace ixos {
 /// can open, "Dimension" and "Length Unit". `read`: reads the mesh; throws InputError with the path of the file.
 MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence, Mesh (*read)(const std::string& path));
 
-/// Returns how gmsh makes cells of first order that Ixos computes with, quadrilaterals or hexahedra, instead of
-/// triangles or tetrahedra: a sentence for messages.
-std::string recombining_recipe(int dimension);
-
 /// Returns whether the entry reads a file.
 bool reads_file(const MeshEntry& entry);
 

@@ -8,6 +8,9 @@
 #include <set>
 #include <utility>
 
+#include "io/msh2_sections.hpp"
+#include "io/msh_nodes.hpp"
+
 namespace ixos {
 namespace {
 
@@ -42,21 +45,24 @@ class Reader {
     if (!is_read(name)) return source_.skip_section();
     if (name == "PhysicalNames") read_names();
     if (name == "Entities") read_entities();
-    if (name == "Nodes") read_nodes();
-    if (name == "Elements") read_elements();
+    if (name == "Nodes") second_ ? read_msh2_nodes(source_, binary_, file_, nodes_) : read_nodes();
+    if (name == "Elements") second_ ? read_msh2_elements(source_, binary_, nodes_, file_) : read_elements();
     source_.end_section();
   }
 
   void read_format() {
     const std::string version(source_.word("the version"));
-    if (version != "4.1")
+    second_ = version == "2.2" || version == "2";
+    if (version != "4.1" && !second_)
       source_.refuse(
-          "the format is MSH {}; 4.1 is allowed. Convert the file with: gmsh OLD.msh -save -format msh41 -o NEW.msh",
+          "the format is MSH {}; 4.1 and 2.2 are allowed. Convert the file with: gmsh OLD.msh -save -format msh41 -o "
+          "NEW.msh",
           version.substr(0, 10));
     const std::int64_t mode = source_.integer("the mode");
     if (mode != 0 && mode != 1) source_.refuse("the mode is {}; 0 (ASCII) and 1 (binary) are allowed", mode);
-    const std::int64_t bytes = source_.integer("the size of a size_t");
-    if (bytes != 8) source_.refuse("a size_t has {} bytes; 8 are allowed", bytes);
+    const char* const measured = second_ ? "double" : "size_t";
+    const std::int64_t bytes = source_.integer("the size of a number");
+    if (bytes != 8) source_.refuse("a {} has {} bytes; 8 are allowed", measured, bytes);
     source_.line();
     binary_ = mode == 1;
     source_.set_binary(binary_);
@@ -124,20 +130,14 @@ class Reader {
     const std::size_t total = source_.count("the number of nodes", {0, 1, 3});
     if (total > INT_MAX / 3) source_.refuse("there are {} nodes; {} are allowed", total, INT_MAX / 3);
     read_tag_range("node");
-    std::vector<std::uint64_t> tags;
-    tags.reserve(total);
+    nodes_.reserve(total);
     file_.coordinates.reserve(3 * total);
-    for (std::size_t block = 0; block < blocks; ++block) read_nodes_of_entity(total, tags);
-    if (tags.size() != total) source_.refuse("the entities have {} nodes, not {}", tags.size(), total);
-    places_.reserve(total);
-    for (std::uint64_t tag : tags) places_.emplace_back(tag, static_cast<int>(places_.size()));
-    std::sort(places_.begin(), places_.end());
-    const auto twice = std::adjacent_find(places_.begin(), places_.end(),
-                                          [](const auto& a, const auto& b) { return a.first == b.first; });
-    if (twice != places_.end()) source_.refuse("the node {} is given twice", twice->first);
+    for (std::size_t block = 0; block < blocks; ++block) read_nodes_of_entity(total);
+    if (nodes_.size() != total) source_.refuse("the entities have {} nodes, not {}", nodes_.size(), total);
+    nodes_.finish(source_);
   }
 
-  void read_nodes_of_entity(std::size_t total, std::vector<std::uint64_t>& tags) {
+  void read_nodes_of_entity(std::size_t total) {
     const int dimension = read_dimension();
     source_.integer("the tag of an entity");
     const std::int64_t parametric = source_.integer("the mark of parametric coordinates");
@@ -145,8 +145,8 @@ class Reader {
       source_.refuse("the mark of parametric coordinates is {}; 0 and 1 are allowed", parametric);
     const std::size_t parameters = parametric == 1 ? static_cast<std::size_t>(dimension) : 0;
     const std::size_t count = source_.count("the number of nodes of an entity", {0, 1, 3 + parameters});
-    if (count > total - tags.size()) source_.refuse("the entities have more nodes than {}", total);
-    for (std::size_t k = 0; k < count; ++k) tags.push_back(source_.size("the tag of a node"));
+    if (count > total - nodes_.size()) source_.refuse("the entities have more nodes than {}", total);
+    for (std::size_t k = 0; k < count; ++k) nodes_.add(source_.size("the tag of a node"));
     for (std::size_t k = 0; k < count; ++k) {
       for (int i = 0; i < 3; ++i) file_.coordinates.push_back(source_.number("a coordinate of a node"));
       for (std::size_t i = 0; i < parameters; ++i) source_.number("a parametric coordinate of a node");
@@ -171,7 +171,9 @@ class Reader {
     const MshType type = msh_type(number);
     if (type.nodes == 0)
       source_.refuse(
-          "elements of type {}, which is unknown; elements of first order are allowed (Mesh.ElementOrder = 1)", number);
+          "elements of type {}, which is unknown; elements of first and second order are allowed (Mesh.ElementOrder = "
+          "1 or 2)",
+          number);
     if (type.dimension != dimension)
       source_.refuse("{} (type {}) in an entity of dimension {}", type.name, number, dimension);
     const auto nodes = static_cast<std::size_t>(type.nodes);
@@ -182,18 +184,11 @@ class Reader {
     elements.nodes.reserve(count * nodes);
     for (std::size_t k = 0; k < count; ++k) {
       elements.tags.push_back(static_cast<long long>(source_.size("the tag of an element")));
-      for (std::size_t a = 0; a < nodes; ++a) elements.nodes.push_back(read_node_of_element());
+      for (std::size_t a = 0; a < nodes; ++a)
+        elements.nodes.push_back(nodes_.of_element(source_.size("a node of an element"), source_));
     }
     if (count > 0) file_.elements.push_back(std::move(elements));
     return count;
-  }
-
-  int read_node_of_element() {
-    const std::uint64_t tag = source_.size("a node of an element");
-    const auto found = std::lower_bound(places_.begin(), places_.end(), std::pair(tag, 0));
-    if (found == places_.end() || found->first != tag)
-      source_.refuse("an element has the node {}, which does not exist", tag);
-    return found->second;
   }
 
   /// Tags need not be contiguous: nothing depends on the least and the largest one.
@@ -203,8 +198,8 @@ class Reader {
 
   MshSource source_;
   MshFile file_;
-  std::vector<std::pair<std::uint64_t, int>> places_;  ///< by the tag of a node: its index
-  bool binary_ = false;
+  MshNodes nodes_;
+  bool binary_ = false, second_ = false;  ///< whether it is a file of version 2.2
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Contents of files of gmsh's format MSH 4.1.
+/// Contents of files of gmsh's formats MSH 4.1 and 2.2.
 #pragma once
 #include <cstddef>
 #include <map>
@@ -40,10 +40,10 @@ struct MshType {
 /// Returns the type of gmsh's number: elements of first and second order.
 MshType msh_type(int type);
 
-/// Reads ASCII and binary files of version 4.1. Other versions, other byte orders and partitioned meshes are refused.
-/// Sections that hold no mesh are skipped; comments may come first. The number of every list is compared with the
-/// length of the file before memory is allocated, and every node that an element names exists. Throws InputError, see
-/// MshSource.
+/// Reads ASCII and binary files of versions 4.1 and 2.2. Other versions, other byte orders and partitioned meshes are
+/// refused. Sections that hold no mesh are skipped; comments may come first. The number of every list is compared with
+/// the length of the file before memory is allocated, and every node that an element names exists. Throws InputError,
+/// see MshSource.
 MshFile read_msh_file(MshSource source);
 
 }  // namespace ixos

@@ -9,9 +9,9 @@
 
 namespace ixos {
 
-/// Reads numbers of a file of gmsh's format MSH 4.1, in ASCII or binary. Lines may end as on Windows, numbers may have
-/// a plus sign. Trusts nothing: whatever is not as the format
-/// demands ends in an InputError that names the file, the line (ASCII) or byte (binary) and what was found.
+/// Reads numbers of a file of gmsh's formats MSH 4.1 and 2.2, in ASCII or binary. Lines may end as on Windows, numbers
+/// may have a plus sign. Trusts nothing: whatever is not as the format demands ends in an InputError that names the
+/// file, the line (ASCII) or byte (binary) and what was found.
 class MshSource {
  public:
   /// Reads the whole file. Throws InputError if it is no readable file.

@@ -79,7 +79,7 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
     const int parts = pieces(block.type);
     ElementBlock here;
     here.name = parts == 1 ? block.name : block.name + "_contact";
-    here.type = plain_type(block.type);
+    here.type = cell_info(plain_type(block.type)).drawn;
     cells.emplace_back();
     first_cell_.emplace_back(static_cast<std::size_t>(block.cells()), -1);
     for (int cell = 0; cell < block.cells(); ++cell) {
@@ -127,7 +127,7 @@ void OutputMesh::add_cell(const LocalMesh& local, const LocalBlock& block, int c
   for (int k = 0; k < parts; ++k) description.cell_ids.push_back(first_id + k);
   const auto node = [&](int a) { return own_node(local, block.nodes[cell_entry(cell, n, a)]); };
   if (parts == 1) {
-    for (int a = 0; a < n; ++a) here.nodes.push_back(node(a));
+    for (int a = 0; a < nodes_per_cell(here.type); ++a) here.nodes.push_back(node(a));
     return;
   }
   // Numbers beyond those of all nodes.

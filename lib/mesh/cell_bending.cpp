@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/vector3.hpp"
+#include "fem/cell_info.hpp"
 #include "mesh/cell_sides.hpp"
 
 namespace ixos {
@@ -31,7 +32,7 @@ std::array<int, 2> ends_of(std::size_t direction) {
 }
 
 bool may_lock(CellType type, const BendingQuery& query) {
-  return !is_quadratic(type) && (!query.enriched_only || is_enriched(type));
+  return !is_quadratic(type) && is_cube(type) && (!query.enriched_only || is_enriched(type));
 }
 
 /// The cells of a mesh by their corners.
@@ -92,6 +93,8 @@ class BendingSearch {
 
   /// Returns the ratios of a cell in its worst direction, and its volume (in 2D its area).
   std::pair<CellBending, double> look(const CellNumber& cell) const {
+    const CellType type = mesh_.blocks[static_cast<std::size_t>(cell.block)].type;
+    if (!is_cube(type)) return {{}, 0};
     std::array<Point, 3> half{{{0, 0, 0}, {0, 0, 0}, {0, 0, 1}}};  // columns of the Jacobian at the centre
     const auto d = static_cast<std::size_t>(mesh_.dimension);
     for (std::size_t i = 0; i < d; ++i) {
@@ -101,7 +104,6 @@ class BendingSearch {
     const Point normal = cross(half[0], half[1]);
     const double volume = std::abs(normal[0] * half[2][0] + normal[1] * half[2][1] + normal[2] * half[2][2]);
     CellBending worst;
-    const CellType type = mesh_.blocks[static_cast<std::size_t>(cell.block)].type;
     if (!(volume > 0) || !may_lock(type, query_)) return {worst, volume};
     std::array<double, 3> gradient{};  // |grad xi_i|
     for (std::size_t i = 0; i < d; ++i) gradient[i] = length(cross(half[(i + 1) % 3], half[(i + 2) % 3])) / volume;
@@ -144,6 +146,7 @@ class BendingSearch {
           break;
         }
         const CellType type = mesh_.blocks[static_cast<std::size_t>(next.block)].type;
+        if (!is_cube(type)) break;
         const Side far{next.block, next.cell, opposite_side(type, next.side)};
         if (far.block == cell.block && far.cell == cell.cell && far.side == end) return line;  // around a ring
         ++line.cells;

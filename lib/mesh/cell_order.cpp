@@ -4,75 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
 #include "fem/cell_info.hpp"
-#include "fem/corner_element.hpp"
-#include "mesh/enrichment/contact_nodes.hpp"
+#include "mesh/added_nodes.hpp"
+#include "mesh/middles.hpp"
 #include "mesh/side_set_nodes.hpp"
 
 namespace ixos {
 namespace {
-
-constexpr std::size_t corner_count(int dimension) { return std::size_t{1} << dimension; }
-
-/// The middle nodes of a mesh's edges and faces, by their corners.
-class Middles {
- public:
-  explicit Middles(Mesh& mesh) : mesh_(mesh), pattern_(corners_of_nodes(mesh.dimension)) {
-    for (const ElementBlock& block : mesh.blocks)
-      for (int cell = 0; is_quadratic(block.type) && cell < block.cells(); ++cell) {
-        const int* nodes = &block.nodes[cell_entry(cell, nodes_per_cell(block.type))];
-        for (std::size_t a = corner_count(mesh.dimension); a < pattern_.size(); ++a)
-          nodes_.insert({sorted(corners_of(nodes, a)), nodes[a]});
-      }
-  }
-
-  /// Returns a linear cell's nodes and the middle ones, which are added to the mesh if they are missing.
-  std::vector<int> completed(const int* nodes) {
-    std::vector<int> all(nodes, nodes + corner_count(mesh_.dimension));
-    for (std::size_t a = all.size(); a < pattern_.size(); ++a) all.push_back(middle(corners_of(nodes, a)));
-    return all;
-  }
-
-  /// Returns the nodes that were added on edges and faces.
-  const std::vector<Between>& added() const { return added_; }
-
- private:
-  using Corners = std::vector<int>;
-
-  Corners corners_of(const int* nodes, std::size_t a) const {
-    Corners corners;
-    for (int corner : pattern_[a]) corners.push_back(nodes[corner]);
-    return corners;
-  }
-
-  static Corners sorted(Corners corners) {
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
-
-  int middle(const Corners& corners) {
-    const auto [found, fresh] = nodes_.insert({sorted(corners), mesh_.nodes()});
-    if (!fresh) return found->second;
-    const auto d = static_cast<std::size_t>(mesh_.dimension);
-    std::vector<double> x(d, 0.0);
-    for (int corner : corners)
-      for (std::size_t i = 0; i < d; ++i)
-        x[i] += mesh_.coordinates[static_cast<std::size_t>(corner) * d + i] / static_cast<double>(corners.size());
-    add_node(mesh_, x, -1);
-    if (corners.size() < corner_count(mesh_.dimension)) added_.push_back({corners, {found->second}});
-    return found->second;
-  }
-
-  Mesh& mesh_;
-  const std::vector<std::vector<int>>& pattern_;
-  std::map<Corners, int> nodes_;
-  std::vector<Between> added_;
-};
 
 /// Two cells that share an edge's or a face's corners, but not its middle, or a middle that is a corner elsewhere; -1
 /// where there is none.
@@ -93,14 +35,15 @@ MiddleConflict conflict_of_middles(const MeshType& mesh) {
   };
   std::vector<Middle> middles;
   std::vector<bool> is_corner(static_cast<std::size_t>(mesh.nodes()), false);
-  const auto& pattern = corners_of_nodes(mesh.dimension);
   int cell = 0;
-  for (const auto& block : mesh.blocks)
+  for (const auto& block : mesh.blocks) {
+    const std::vector<NodeCorners>& pattern = cell_info(plain_type(block.type)).node_corners;
+    const auto whole = static_cast<std::size_t>(nodes_per_cell(corner_type(block.type)));
     for (int c = 0; c < block.cells(); ++c, ++cell) {
       const int* nodes = &block.nodes[cell_entry(c, nodes_per_cell(block.type))];
       for (std::size_t a = 0; a < (is_quadratic(block.type) ? pattern.size() : 0); ++a) {
         if (pattern[a].size() == 1) is_corner[static_cast<std::size_t>(nodes[a])] = true;
-        if (pattern[a].size() == 1 || pattern[a].size() == corner_count(mesh.dimension)) continue;
+        if (pattern[a].size() == 1 || pattern[a].size() == whole) continue;
         Middle middle{{-1, -1, -1, -1}, nodes[a], cell};
         for (std::size_t k = 0; k < pattern[a].size(); ++k)
           middle.corners[k] = nodes[static_cast<std::size_t>(pattern[a][k])];
@@ -108,6 +51,7 @@ MiddleConflict conflict_of_middles(const MeshType& mesh) {
         middles.push_back(middle);
       }
     }
+  }
   std::sort(middles.begin(), middles.end());
   for (std::size_t k = 0; k < middles.size(); ++k) {
     const Middle& here = middles[k];
@@ -120,30 +64,36 @@ MiddleConflict conflict_of_middles(const MeshType& mesh) {
 
 }  // namespace
 
-void raise_order(Mesh& mesh) {
+void raise_order(Mesh& mesh, bool bubbles) {
   if (mesh.plain_nodes >= 0)
     throw InputError("the mesh has enriched sides; raise the order of its cells before it is enriched");
-  for (const ElementBlock& block : mesh.blocks)
-    if (corner_type(block.type) != cube_type(mesh.dimension))
-      throw InputError("block \"" + block.name + "\": only quadrilaterals and hexahedra can become quadratic");
-  if (std::all_of(mesh.blocks.begin(), mesh.blocks.end(), [](const auto& block) { return is_quadratic(block.type); }))
+  const auto raised = [bubbles](const ElementBlock& block) {
+    return bubbles || !is_quadratic(block.type) ? raised_type(block.type, bubbles) : block.type;
+  };
+  if (std::all_of(mesh.blocks.begin(), mesh.blocks.end(),
+                  [&](const ElementBlock& block) { return block.type == raised(block); }))
     return;
   const auto of_sides = sets_of_sides(mesh);
-  const int linear_nodes = mesh.nodes();
+  const int before = mesh.nodes();
   Middles middles(mesh);
   for (ElementBlock& block : mesh.blocks) {
-    if (is_quadratic(block.type)) continue;
+    const CellType type = raised(block);
+    if (block.type == type) continue;
     std::vector<int> nodes;
-    for (int cell = 0; cell < block.cells(); ++cell) {
-      const std::vector<int> all = middles.completed(&block.nodes[cell_entry(cell, nodes_per_cell(block.type))]);
-      nodes.insert(nodes.end(), all.begin(), all.end());
-    }
+    const int before_raised = nodes_per_cell(block.type);
+    for (int cell = 0; cell < block.cells(); ++cell)
+      middles.complete(&block.nodes[cell_entry(cell, before_raised)], before_raised, type, nodes);
     block.nodes = std::move(nodes);
-    block.type = cube_type(mesh.dimension, 2);
+    block.type = type;
   }
   complete_node_sets(mesh, middles.added());
   renew_sets_of_sides(mesh, of_sides);
-  mesh.linear_nodes = linear_nodes;
+  if (mesh.linear_nodes < 0) mesh.linear_nodes = before;
+}
+
+void add_bubbles(Mesh& mesh) {
+  if (std::any_of(mesh.blocks.begin(), mesh.blocks.end(), [](const auto& block) { return is_quadratic(block.type); }))
+    raise_order(mesh, true);
 }
 
 void require_one_order(const Mesh& mesh) {
@@ -156,6 +106,20 @@ void require_one_order(const Mesh& mesh) {
         "block \"{}\" has quadratic cells and block \"{}\" linear ones, which do not conform; use one order "
         "in all blocks, or Mesh/Cell Order 2, which raises that of the linear ones",
         first->name, other->name));
+  // A triangle with a node in its middle beside one without.
+  const auto with_bubbles = [](const ElementBlock& block) {
+    return cell_info(block.type).bubbles && block.cells() > 0;
+  };
+  const auto without = [&](const ElementBlock& block) {
+    return !is_cube(block.type) && is_quadratic(block.type) && !with_bubbles(block) && block.cells() > 0;
+  };
+  const auto bubbles = std::find_if(mesh.blocks.begin(), mesh.blocks.end(), with_bubbles);
+  const auto plain = std::find_if(mesh.blocks.begin(), mesh.blocks.end(), without);
+  if (mesh.dimension == 3 && bubbles != mesh.blocks.end() && plain != mesh.blocks.end())
+    throw InputError(fmt::format(
+        "block \"{}\" has {} cells and block \"{}\" {} ones, which do not conform: only one of them has nodes in the "
+        "middle of triangles",
+        bubbles->name, cell_info(bubbles->type).name, plain->name, cell_info(plain->type).name));
 }
 
 void require_shared_middles(const Mesh& mesh) {

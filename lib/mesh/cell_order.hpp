@@ -5,15 +5,20 @@
 
 namespace ixos {
 
-/// Turns the linear cells of a mesh into quadratic ones, Quad4 into Quad9 and Hex8 into Hex27: adds a node in the
-/// middle of each edge, face and cell, behind the mesh's own nodes. Cells share the nodes of the edges and faces that
-/// they share, also with cells that are quadratic already; those stay as they are. The new nodes stand at the mean of
-/// their corners, so the body keeps its shape. Side sets keep their sides. A node set that has the nodes of the side
-/// set of its name keeps having them; another one gets the middles of the edges and faces whose corners it all holds.
-/// Throws InputError if the mesh is enriched.
-void raise_order(Mesh& mesh);
+/// Turns the linear cells of a mesh into quadratic ones, see raised_type(): adds a node in the middle of each edge,
+/// face and cell, behind the mesh's own nodes. Cells share the nodes of the edges and faces that they share, also with
+/// cells that are quadratic already; those stay as they are, but with `bubbles` get the nodes that Tri7 and its like
+/// have beyond Tri6, where the cell's own map puts them. The new nodes of linear cells stand at the mean of their
+/// corners, so the body keeps its shape. Side sets keep their sides. A node set that has the nodes of the side set of
+/// its name keeps having them; another one gets the middles of the edges and faces whose corners it all holds. Throws
+/// InputError if the mesh is enriched.
+void raise_order(Mesh& mesh, bool bubbles = false);
 
-/// Throws InputError, with two blocks, if the mesh has linear and quadratic cells: they do not conform.
+/// Does that with the quadratic cells of a mesh alone.
+void add_bubbles(Mesh& mesh);
+
+/// Throws InputError, with two blocks, if the mesh has linear and quadratic cells, or in space quadratic ones with
+/// nodes in the middle of triangles and ones without: they do not conform.
 void require_one_order(const Mesh& mesh);
 
 /// Throws InputError, with the elements counted from 1 over all blocks, if two quadratic cells share the corners of an

@@ -23,12 +23,12 @@ int opposite_side(CellType type, int side) {
   if (shape == ReferenceShape::Quadrilateral || (shape == ReferenceShape::Hexahedron && side < 4))
     return (side + 2) % 4;
   if (shape == ReferenceShape::Hexahedron) return side == 4 ? 5 : 4;
-  throw std::logic_error("a side of a triangle has none opposite");
+  throw std::logic_error("only sides of quadrilaterals and hexahedra have one opposite");
 }
 
 std::array<double, 3> centre_of(const Mesh& mesh, const SideCorners& corners) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
-  const auto count = static_cast<double>(std::count_if(corners.begin(), corners.end(), [](int n) { return n >= 0; }));
+  const auto count = static_cast<double>(count_of(corners));
   std::array<double, 3> x{};
   for (int node : corners)
     for (std::size_t i = 0; i < d && node >= 0; ++i)
@@ -46,6 +46,10 @@ SideCorners corners_of(const Mesh& mesh, const Side& side) {
   return corners;
 }
 
+std::size_t count_of(const SideCorners& corners) {
+  return static_cast<std::size_t>(std::count_if(corners.begin(), corners.end(), [](int node) { return node >= 0; }));
+}
+
 std::array<double, 3> outward_normal(const Mesh& mesh, const Side& side) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const SideCorners corners = corners_of(mesh, side);
@@ -61,7 +65,8 @@ std::array<double, 3> outward_normal(const Mesh& mesh, const Side& side) {
     const auto t = along(0, 1);
     return {t[1], -t[0], 0};
   }
-  const auto s = along(0, 2), t = along(1, 3);
+  const bool triangle = corners[3] < 0;
+  const auto s = triangle ? along(0, 1) : along(0, 2), t = triangle ? along(0, 2) : along(1, 3);
   return {s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]};
 }
 

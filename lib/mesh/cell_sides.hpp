@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// The corners of a side; if sorted, in ascending order, and -1 comes first where a side has two corners.
+/// The corners of a side; if sorted, in ascending order, and -1 comes first where a side has two corners or three.
 using SideCorners = std::array<int, 4>;
 
 /// A side of a cell. Enriched and quadratic cells have the sides of linear ones.
@@ -25,17 +25,21 @@ using EqualSides = std::pair<std::vector<CellSide>::const_iterator, std::vector<
 /// Returns the nodes of a side of a cell: the corners, counter-clockwise seen from outside, then the others.
 std::vector<int> nodes_of_side(const Mesh& mesh, const Side& side);
 
-/// Returns the side of a cell that has no corner of that side.
+/// Returns the side of a quadrilateral or hexahedron that has no corner of that side. Throws std::logic_error for
+/// others.
 int opposite_side(CellType type, int side);
 
-/// Returns the corners of a side in the order of a linear cell, see side_nodes(); if there are two, -1 follows twice.
+/// Returns the corners of a side in the order of a linear cell, see side_nodes(); -1 follows in place of missing ones.
 SideCorners corners_of(const Mesh& mesh, const Side& side);
 
-/// Returns a vector along the outward normal of a side between its corners, in 3D the product of its diagonals: twice
-/// the area long, in 2D as long as the side. Its third component is 0 in 2D.
+/// Returns how many of a side's corners are there.
+std::size_t count_of(const SideCorners& corners);
+
+/// Returns a vector along the outward normal of a side between its corners, in 3D the product of its diagonals, of
+/// a triangle that of two edges: twice the area long, in 2D as long as the side. Its third component is 0 in 2D.
 std::array<double, 3> outward_normal(const Mesh& mesh, const Side& side);
 
-/// Returns the corners of a side, of 2 or 4 nodes.
+/// Returns the corners of a side, of 2 to 4 nodes.
 SideCorners sorted_corners(const std::vector<int>& nodes);
 SideCorners sorted_corners(const Mesh& mesh, const Side& side);
 

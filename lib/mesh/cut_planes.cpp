@@ -42,7 +42,8 @@ std::vector<Edge> edges_of(const Mesh& mesh, const Side& side) {
   const SideCorners corners = corners_of(mesh, side);
   if (mesh.dimension == 2) return {edge_of(corners[0], corners[0]), edge_of(corners[1], corners[1])};
   std::vector<Edge> edges;
-  for (std::size_t k = 0; k < 4; ++k) edges.push_back(edge_of(corners[k], corners[(k + 1) % 4]));
+  const std::size_t count = count_of(corners);
+  for (std::size_t k = 0; k < count; ++k) edges.push_back(edge_of(corners[k], corners[(k + 1) % count]));
   return edges;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "fem/cell_info.hpp"
 #include "mesh/cell_sides.hpp"
 
 namespace ixos {
@@ -15,6 +16,9 @@ SingleLayer single_layer(const Mesh& mesh, const SideSet& set) {
     const CellType type = mesh.blocks[static_cast<std::size_t>(side.block)].type;
     return sorted_corners(mesh, {side.block, side.cell, opposite_side(type, side.side)});
   };
+  if (!std::all_of(set.sides.begin(), set.sides.end(),
+                   [&](const Side& side) { return is_cube(mesh.blocks[static_cast<std::size_t>(side.block)].type); }))
+    return {};
   for (const Side& side : set.sides) {
     const SideCorners corners = other_side(side);
     cells[corners] = 0;

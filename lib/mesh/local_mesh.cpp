@@ -5,6 +5,7 @@
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "mesh/cell_sides.hpp"
+#include "mesh/curved_cells.hpp"
 #include "mesh/level_width.hpp"
 #include "mesh/meridian.hpp"
 #include "mesh/selection.hpp"
@@ -166,6 +167,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& given_owner, int ra
     here.type = block.type;
     here.points = block.points;
     here.tied = block.tied;
+    here.high_rule = needs_high_rule(mesh, block);
     here.original_cells = cells[b];
     here.global_cells = block.cells();
     local_cell.emplace_back(static_cast<std::size_t>(block.cells()), -1);

@@ -29,6 +29,7 @@ struct LocalBlock {
   std::vector<double> derivative_scale;  ///< see ElementBlock
   int points = 0;                        ///< see ElementBlock
   unsigned tied = 0;                     ///< see ElementBlock
+  bool high_rule = false;                ///< some cells are curved, or all are rings, see own_rule()
   std::vector<int> original_cells;       ///< per cell: its number in the block of the Mesh
   int global_cells = 0;                  ///< of the block, on all ranks
   int cells() const { return static_cast<int>(owned.size()); }

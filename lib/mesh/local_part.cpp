@@ -21,6 +21,7 @@ void check_whole(const Mesh& mesh) {
     refuse_repeated_cells(mesh);
   }
   require_one_order(mesh);
+  refuse_split_faces(mesh);
   require_shared_middles(mesh);
   check_cells(mesh);
 }

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "base/small_matrix.hpp"
+#include "fem/cell_info.hpp"
 #include "fem/jacobian.hpp"
 #include "fem/revolved.hpp"
 #include "fem/shape_table.hpp"
@@ -72,26 +73,68 @@ CellQuality cell_quality(const std::vector<double>& coordinates, const int* node
   return cell;
 }
 
-/// Returns the quality of a linear triangle: the sine of an angle over that of an equilateral one.
-CellQuality triangle_quality(const std::vector<double>& coordinates, const int* nodes, bool revolved) {
-  const auto corner = [&](std::size_t a) {
-    const double* x = &coordinates[2 * static_cast<std::size_t>(nodes[a % 3])];
-    return std::array<double, 2>{x[0], x[1]};
-  };
+/// Returns the corners between which the nodes of the shape's quadratic cell are: its edges have two.
+template <ReferenceShape shape>
+std::vector<NodeCorners> nodes_between() {
+  return find_cell([](const CellInfo& info) { return info.shape == shape && info.order == 2; })->node_corners;
+}
+
+/// Returns 1 over the determinant of the unit vectors along the edges at a corner of a regular cell.
+constexpr double ideal_factor(ReferenceShape shape) {
+  return shape == ReferenceShape::Triangle || shape == ReferenceShape::Prism ? 1.1547005383792515  // 2 / sqrt 3
+                                                                             : 1.4142135623730951;
+}
+
+/// Returns the quality of a triangle, tetrahedron, prism or pyramid: at each corner of as many edges as dimensions, the
+/// scaled Jacobian of these edges over that of a regular cell; in quadratic cells also that of the map at the corners
+/// and the quadrature points.
+template <class Element, class Corners>
+CellQuality simplex_quality(const std::vector<double>& coordinates, const int* nodes, bool revolved) {
+  constexpr std::size_t D = Element::dimension, C = Corners::nodes;
+  static const ShapeTable<Element> table(mass_rule<Element>());
+  static const std::vector<NodeCorners> between = nodes_between<CellTraits<Element>::shape>();
+  constexpr double factor = ideal_factor(CellTraits<Element>::shape);
+  std::array<double, Element::nodes> ones;
+  ones.fill(1);
   CellQuality cell;
-  std::array<double, 3> lengths;
-  for (std::size_t a = 0; a < 3; ++a) {
-    lengths[a] = std::hypot(corner(a + 1)[0] - corner(a)[0], corner(a + 1)[1] - corner(a)[1]);
-    cell.shortest = std::min(cell.shortest, lengths[a]);
-    cell.longest = std::max(cell.longest, lengths[a]);
+  std::array<std::vector<std::size_t>, C> neighbours;
+  for (const NodeCorners& edge : between) {
+    if (edge.size() != 2) continue;
+    const auto a = static_cast<std::size_t>(edge[0]), b = static_cast<std::size_t>(edge[1]);
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+    double square = 0;
+    for (std::size_t i = 0; i < D; ++i) {
+      const double way = coordinates[static_cast<std::size_t>(nodes[b]) * D + i] -
+                         coordinates[static_cast<std::size_t>(nodes[a]) * D + i];
+      square += way * way;
+    }
+    cell.shortest = std::min(cell.shortest, std::sqrt(square));
+    cell.longest = std::max(cell.longest, std::sqrt(square));
   }
-  const double twice_area = (corner(1)[0] - corner(0)[0]) * (corner(2)[1] - corner(0)[1]) -
-                            (corner(2)[0] - corner(0)[0]) * (corner(1)[1] - corner(0)[1]);
-  for (std::size_t a = 0; a < 3; ++a)
-    cell.scaled_jacobian =
-        std::min(cell.scaled_jacobian, 2 / std::sqrt(3.0) * twice_area / (lengths[a] * lengths[(a + 2) % 3]));
-  cell.volume = twice_area / 2;
-  if (revolved) cell.volume *= circumference((corner(0)[0] + corner(1)[0] + corner(2)[0]) / 3);
+  for (std::size_t c = 0; c < C; ++c) {
+    if (neighbours[c].size() != D) continue;  // the apex of a pyramid
+    Small<double, D> edges;                   // as columns
+    for (std::size_t d = 0; d < D; ++d)
+      for (std::size_t i = 0; i < D; ++i)
+        edges[i][d] = coordinates[static_cast<std::size_t>(nodes[neighbours[c][d]]) * D + i] -
+                      coordinates[static_cast<std::size_t>(nodes[c]) * D + i];
+    const double sign = determinant(jacobian_at<Corners>(Corners::place(c), coordinates, nodes)) < 0 ? -1 : 1;
+    cell.scaled_jacobian = std::min(cell.scaled_jacobian, sign * factor * std::abs(scaled_determinant(edges)));
+    if constexpr (!std::is_same_v<Element, Corners>)
+      cell.scaled_jacobian =
+          std::min(cell.scaled_jacobian,
+                   factor * scaled_determinant(jacobian_at<Element>(Element::place(c), coordinates, nodes)));
+  }
+  for (std::size_t q = 0; q < table.size(); ++q) {
+    const Small<double, D> j = jacobian<D>(coordinates, nodes, ones, table.gradient[q]);
+    if constexpr (!std::is_same_v<Element, Corners>)
+      cell.scaled_jacobian = std::min(cell.scaled_jacobian, factor * scaled_determinant(j));
+    double measure = table.weight[q] * determinant(j);
+    if constexpr (D == 2)
+      if (revolved) measure *= circumference(coordinates, nodes, ones, table.value[q]);
+    cell.volume += measure;
+  }
   return cell;
 }
 
@@ -102,8 +145,8 @@ CellQuality cell_quality(CellType type, const std::vector<double>& coordinates, 
     using Traits = CellTraits<Element>;
     if constexpr (!std::is_same_v<typename Traits::Plain, Element>)
       throw std::logic_error("a plain cell is enriched");
-    else if constexpr (Traits::shape == ReferenceShape::Triangle)
-      return triangle_quality(coordinates, nodes, revolved);
+    else if constexpr (HasRule<Element>::value)
+      return simplex_quality<Element, typename Traits::Corners>(coordinates, nodes, revolved);
     else
       return cell_quality<Element, typename Traits::Corners>(coordinates, nodes, revolved);
   });

@@ -20,10 +20,10 @@ std::vector<double> plane_coordinates(const std::vector<double>& space) {
   plane.reserve(space.size() / 3 * 2);
   for (std::size_t k = 0; k + 2 < space.size(); k += 3) {
     if (!(std::abs(space[k + 2]) <= slack))
-      throw InputError(
-          fmt::format("the quadrilaterals do not lie in the plane z = 0: a node stands at ({:.6g}, {:.6g}, {:.6g}). A "
-                      "mesh in two dimensions has z = 0 everywhere, a mesh in three has hexahedra",
-                      space[k], space[k + 1], space[k + 2]));
+      throw InputError(fmt::format(
+          "the surface elements do not lie in the plane z = 0: a node stands at ({:.6g}, {:.6g}, {:.6g}). A "
+          "mesh in two dimensions has z = 0 everywhere, a mesh in three has volume elements",
+          space[k], space[k + 1], space[k + 2]));
     plane.insert(plane.end(), {space[k], space[k + 1]});
   }
   return plane;

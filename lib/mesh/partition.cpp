@@ -18,8 +18,7 @@ namespace ixos {
 namespace {
 
 int points_per_cell(CellType type) {
-  return with_element(type,
-                      [](auto tag) { return static_cast<int>(element_rule<typename decltype(tag)::type>().size()); });
+  return with_element(type, [](auto tag) { return static_cast<int>(own_rule<typename decltype(tag)::type>().size()); });
 }
 
 /// Throws if METIS failed.

@@ -35,9 +35,9 @@ Point difference(const double* a, const double* b, std::size_t d) {
 template <class Visit>
 void for_each_edge(const Mesh& mesh, const Side& side, const Visit& visit) {
   const SideCorners corners = corners_of(mesh, side);
-  const std::size_t count = mesh.dimension == 2 ? 2 : 4;
+  const std::size_t count = count_of(corners);
   for (std::size_t k = 0; k + 1 < count; ++k) visit(corners[k], corners[k + 1]);
-  if (count == 4) visit(corners[3], corners[0]);
+  if (count > 2) visit(corners[count - 1], corners[0]);
 }
 
 /// Scales a direction to length 1. Throws InputError if it is zero.

@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "mesh/cell_sides.hpp"
 
 namespace ixos {
@@ -96,6 +97,30 @@ void refuse_repeated_cells(const Mesh& mesh) {
   if (twice != cells.end())
     throw InputError(
         fmt::format("elements {} and {} have the same nodes", twice->second + 1, std::next(twice)->second + 1));
+}
+
+void refuse_split_faces(const Mesh& mesh) {
+  const bool mixed = mesh.dimension == 3 && std::any_of(mesh.blocks.begin(), mesh.blocks.end(),
+                                                        [](const auto& block) { return !is_cube(block.type); });
+  if (!mixed) return;
+  const std::vector<CellSide> sides = sorted_sides(mesh);
+  const auto is_outer = [&](const SideCorners& corners) {
+    const auto [begin, end] = sides_with(sides, corners);
+    return end - begin == 1;
+  };
+  for (const CellSide& side : sides) {
+    if (side.corners[0] < 0 || !is_outer(side.corners)) continue;
+    for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+      SideCorners triangle = side.corners;
+      triangle[left_out] = -1;
+      std::sort(triangle.begin(), triangle.end());
+      if (is_outer(triangle))
+        throw InputError(fmt::format(
+            "side {} of element {} is a quadrilateral, and on its other side are triangles (of element {}): "
+            "their displacements differ there; a pyramid must stand between",
+            side.side.side + 1, side.cell + 1, sides_with(sides, triangle).first->cell + 1));
+    }
+  }
 }
 
 void require_sides(const SideSet& set) {

@@ -10,6 +10,10 @@ namespace ixos {
 /// Throws InputError, with both numbers (from 1, over all blocks), if two cells have the same nodes.
 void refuse_repeated_cells(const Mesh& mesh);
 
+/// Throws InputError, with an element and its side (from 1), if a quadrilateral face of a cell has triangles of other
+/// cells on its other side: their fields differ there.
+void refuse_split_faces(const Mesh& mesh);
+
 /// Throws InputError if the set is empty.
 void require_sides(const SideSet& set);
 

@@ -10,7 +10,6 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/cell_info.hpp"
-#include "fem/corner_element.hpp"
 #include "fem/jacobian.hpp"
 #include "fem/with_element.hpp"
 #include "mesh/cell_sides.hpp"
@@ -27,44 +26,61 @@ struct Mirror {
   std::vector<int> side;  ///< by old side: the new one
 };
 
-/// Returns the mirror image of Quad9 or Hex27; that of Quad4 or Hex8 is its beginning. A quadrilateral keeps corner 0
-/// and runs the other way round; bottom and top of a hexahedron change places.
-Mirror mirror_of_cube(int dimension) {
-  const std::vector<int> corners =
-      dimension == 2 ? std::vector<int>{0, 3, 2, 1} : std::vector<int>{4, 5, 6, 7, 0, 1, 2, 3};
+/// Returns, by corner of a shape, the corner that takes its place in the mirror image: triangles, quadrilaterals,
+/// tetrahedra and pyramids keep corner 0 and run the other way round; bottom and top of prisms and hexahedra change
+/// places.
+std::vector<int> mirrored_corners(ReferenceShape shape) {
+  switch (shape) {
+    case ReferenceShape::Triangle:
+      return {0, 2, 1};
+    case ReferenceShape::Quadrilateral:
+      return {0, 3, 2, 1};
+    case ReferenceShape::Tetrahedron:
+      return {0, 2, 1, 3};
+    case ReferenceShape::Pyramid:
+      return {0, 3, 2, 1, 4};
+    case ReferenceShape::Prism:
+      return {3, 4, 5, 0, 1, 2};
+    case ReferenceShape::Hexahedron:
+      return {4, 5, 6, 7, 0, 1, 2, 3};
+  }
+  throw std::logic_error("cells of this shape have no mirror image");
+}
+
+/// Returns the mirror image of a cell without an enriched side.
+Mirror mirror_of_plain(const CellInfo& info) {
+  const std::vector<int> corners = mirrored_corners(info.shape);
   const auto image = [&](std::vector<int> of) {
     for (int& corner : of) corner = corners[static_cast<std::size_t>(corner)];
     std::sort(of.begin(), of.end());
     return of;
   };
+  const auto sorted = [](std::vector<int> of) {
+    std::sort(of.begin(), of.end());
+    return of;
+  };
   Mirror mirror;
-  const auto& pattern = corners_of_nodes(dimension);
-  for (const std::vector<int>& own : pattern) {
-    const auto found = std::find(pattern.begin(), pattern.end(), image(own));
+  const std::vector<NodeCorners>& pattern = info.node_corners;
+  for (const NodeCorners& own : pattern) {
+    const auto found = std::find_if(pattern.begin(), pattern.end(),
+                                    [&](const NodeCorners& other) { return sorted(other) == image(own); });
     mirror.node.push_back(static_cast<int>(found - pattern.begin()));
   }
-  const CellType linear = cube_type(dimension);
-  for (int old = 0; old < sides_per_cell(linear); ++old)
-    for (int now = 0; now < sides_per_cell(linear); ++now) {
-      std::vector<int> own = side_nodes(linear, now);
-      std::sort(own.begin(), own.end());
-      if (own == image(side_nodes(linear, old))) mirror.side.push_back(now);
-    }
+  const SideNodes& sides = cell_info(info.corners).sides;
+  for (const std::vector<int>& old : sides)
+    for (std::size_t now = 0; now < sides.size(); ++now)
+      if (sorted(sides[now]) == image(old)) mirror.side.push_back(static_cast<int>(now));
   return mirror;
 }
 
-/// Returns the mirror image of a cell. A triangle keeps corner 0.
+/// Returns the mirror image of a cell; that of an enriched one is that of its plain_type().
 const Mirror& mirror_of(CellType type) {
-  static const Mirror plane = mirror_of_cube(2), solid = mirror_of_cube(3), triangle{{0, 2, 1}, {2, 1, 0}};
-  switch (cell_info(type).shape) {
-    case ReferenceShape::Triangle:
-      return triangle;
-    case ReferenceShape::Quadrilateral:
-      return plane;
-    case ReferenceShape::Hexahedron:
-      return solid;
-  }
-  throw std::logic_error("cells of this shape have no mirror image");
+  static const std::vector<Mirror> all = [] {
+    std::vector<Mirror> mirrors;
+    for (const CellInfo& info : cell_infos()) mirrors.push_back(mirror_of_plain(cell_info(info.plain)));
+    return mirrors;
+  }();
+  return all[static_cast<std::size_t>(cell_info(type).type)];
 }
 
 /// Returns whether a cell is a mirror image: the linear cell of its corners has a negative Jacobian at the origin of
@@ -97,7 +113,7 @@ bool has_any(const CellFlags& flags) {
 /// Returns whether two cells pass the corners of their common side in the same direction.
 bool run_alike(const Mesh& mesh, const Side& one, const Side& other) {
   const SideCorners a = corners_of(mesh, one), b = corners_of(mesh, other);
-  const std::size_t count = mesh.dimension == 2 ? 2 : 4;
+  const std::size_t count = count_of(a);
   const auto place = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
   return count == 2 ? place == 0 : a[1] == b[(place + 1) % count];
 }
@@ -143,10 +159,12 @@ void turn_cells(Mesh& mesh) {
       if (turned[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)])
         side.side =
             mirror_of(mesh.blocks[static_cast<std::size_t>(side.block)].type).side[static_cast<std::size_t>(side.side)];
+  const bool only_cubes =
+      std::all_of(mesh.blocks.begin(), mesh.blocks.end(), [](const auto& block) { return is_cube(block.type); });
   if (mesh.dimension == 3 && count > 0)
     mesh.notes.push_back(
-        fmt::format("{} of the mesh's {} hexahedra are numbered as mirror images (left-handed); Ixos turned them",
-                    count, mesh.cells()));
+        fmt::format("{} of the mesh's {} {} are numbered as mirror images (left-handed); Ixos turned them", count,
+                    mesh.cells(), only_cubes ? "hexahedra" : "cells"));
 }
 
 }  // namespace ixos

@@ -72,9 +72,9 @@ std::vector<std::string> interaction_names(const List& scene) {
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder, const GivenHistories& given)
-    : Simulation(std::make_shared<Plan>(Plan{Stages(scene, given),
-                                             [folder](const List& list) { return with_files(list, folder); },
-                                             [folder](List& list) { return scene_mesh(list, folder); }, given}),
+    : Simulation(std::make_shared<Plan>(
+                     Plan{Stages(scene, given), [folder](const List& list) { return with_files(list, folder); },
+                          [folder](List& list, bool bubbles) { return scene_mesh(list, folder, bubbles); }, given}),
                  comm, {}) {}
 
 Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given)
@@ -89,7 +89,7 @@ Simulation::Plan Simulation::given_mesh_plan(const List& scene, const Mesh& mesh
           [d = mesh.dimension, axisymmetric = mesh.axisymmetric](const List& list) {
             return with_given_mesh(with_files(list, "."), d, axisymmetric);
           },
-          [kept, own](List& list) { return scene_mesh(list, *own); }, given};
+          [kept, own](List& list, bool bubbles) { return scene_mesh(list, *own, bubbles); }, given};
 }
 
 Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins)
@@ -228,11 +228,24 @@ LocalMesh Simulation::local_mesh(const Mesh& mesh, const std::vector<int>& owner
   return local;
 }
 
+/// All stages have one mesh.
+bool Simulation::some_stage_needs_bubbles() const {
+  if (needs_bubbles(parameters_)) return true;
+  if (!stages().any()) return false;
+  const std::vector<double> ends = stages().planned_ends(begins_);
+  std::vector<double> begins;
+  for (std::size_t stage = 0; stage < stages().count(); ++stage) {
+    if (needs_bubbles(stages().scene(begins))) return true;
+    begins.push_back(ends[stage]);
+  }
+  return false;
+}
+
 void Simulation::build_model(const Comm& comm, Inertia inertia) {
   const NamedScope scope("mesh and model");
   Mesh mesh;
   together<InputError>(comm, [&] {
-    mesh = plan_->make_mesh(parameters_.sublist("Mesh"));
+    mesh = plan_->make_mesh(parameters_.sublist("Mesh"), inertia == Inertia::Lumped || some_stage_needs_bubbles());
     for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
       warnings_.push_back({"mesh", std::move(message)});
     if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())

@@ -97,7 +97,7 @@ class Simulation {
   struct Plan {
     Stages stages;
     std::function<Teuchos::ParameterList(const Teuchos::ParameterList&)> with_files;
-    std::function<Mesh(Teuchos::ParameterList& list)> make_mesh;
+    std::function<Mesh(Teuchos::ParameterList& list, bool bubbles)> make_mesh;
     GivenHistories given;
     std::vector<std::string> columns{};
     std::vector<int> owner{};  ///< the ranks of the nodes, if there are several stages
@@ -105,6 +105,7 @@ class Simulation {
   };
   static Plan given_mesh_plan(const Teuchos::ParameterList& scene, const Mesh& mesh, const GivenHistories& given);
   Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins);
+  bool some_stage_needs_bubbles() const;
   void build_model(const Comm& comm, Inertia inertia);
   void look_ahead();
   void refuse_jump_to(const Simulation& next) const;

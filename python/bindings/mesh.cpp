@@ -38,26 +38,38 @@ Table integers(const py::object& object, py::ssize_t dimensions, const std::stri
   return Table::ensure(array);
 }
 
-/// Returns the numbers as node numbers. Throws InputError for one that is no point of the mesh.
-std::vector<int> node_numbers(const Table& table, const Mesh& mesh, const std::string& place) {
+/// Returns the numbers as node numbers, where `may_miss`(k) also -1. Throws InputError for one that is no point of the
+/// mesh.
+template <class MayMiss>
+std::vector<int> node_numbers(const Table& table, const Mesh& mesh, const std::string& place, const MayMiss& may_miss) {
   std::vector<int> nodes;
   nodes.reserve(static_cast<std::size_t>(table.size()));
-  for (const long long* node = table.data(); node != table.data() + table.size(); ++node) {
-    if (*node < 0 || *node >= mesh.nodes())
+  for (py::ssize_t k = 0; k < table.size(); ++k) {
+    const long long node = table.data()[k];
+    if ((node < 0 && !(node == -1 && may_miss(k))) || node >= mesh.nodes())
       throw InputError(
-          fmt::format("{} has node {}; the points are numbered from 0 to {}", place, *node, mesh.nodes() - 1));
-    nodes.push_back(static_cast<int>(*node));
+          fmt::format("{} has node {}; the points are numbered from 0 to {}", place, node, mesh.nodes() - 1));
+    nodes.push_back(static_cast<int>(node));
   }
   return nodes;
 }
+std::vector<int> node_numbers(const Table& table, const Mesh& mesh, const std::string& place) {
+  return node_numbers(table, mesh, place, [](py::ssize_t) { return false; });
+}
 
+/// `cells`: an array, or a list with one for each type of cells.
 void add_block(Mesh& mesh, const std::string& name, const py::object& cells) {
+  if (py::isinstance<py::list>(cells) && py::len(cells) > 0 && py::isinstance<py::array>(cells[py::int_(0)])) {
+    for (const py::handle& part : cells) add_block(mesh, name, py::reinterpret_borrow<py::object>(part));
+    return;
+  }
   const std::string place = quoted("block", name);
   const Table table = integers(cells, 2, place);
-  const CellInfo* info = cube_with(mesh.dimension, static_cast<int>(table.shape(1)));
+  const CellInfo* info = cell_with(mesh.dimension, static_cast<int>(table.shape(1)));
   if (info == nullptr)
     throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place, table.shape(1),
-                                 mesh.dimension, mesh.dimension == 2 ? "4 or 9" : "8 or 27"));
+                                 mesh.dimension,
+                                 mesh.dimension == 2 ? "3, 4, 6, 7 or 9" : "4, 5, 6, 8, 10, 14, 15, 18, 19, 21 or 27"));
   mesh.blocks.push_back({name, info->type, node_numbers(table, mesh, place)});
 }
 
@@ -66,18 +78,20 @@ void add_node_set(Mesh& mesh, const std::string& name, const py::object& nodes) 
   mesh.node_sets.push_back({name, node_numbers(integers(nodes, 1, place), mesh, place)});
 }
 
-/// The sides are rows of their corners, in any order.
+/// The sides are rows of their corners, in any order; a triangle beside quadrilaterals has -1 as the last one.
 void add_side_set(Mesh& mesh, const std::string& name, const py::object& sides, const std::vector<CellSide>& sorted) {
   const std::string place = quoted("side set", name);
   const Table table = integers(sides, 2, place);
-  const int corners = mesh.dimension == 2 ? 2 : 4;
-  if (table.shape(1) != corners)
-    throw InputError(fmt::format("{}: its sides have {} nodes; in {} dimensions sides have {}", place, table.shape(1),
-                                 mesh.dimension, corners));
-  const std::vector<int> nodes = node_numbers(table, mesh, place);
+  const auto corners = static_cast<int>(table.shape(1));
+  if (mesh.dimension == 2 ? corners != 2 : corners != 3 && corners != 4)
+    throw InputError(fmt::format("{}: its sides have {} nodes; in {} dimensions sides have {}", place, corners,
+                                 mesh.dimension, mesh.dimension == 2 ? "2" : "3 or 4"));
+  const std::vector<int> nodes =
+      node_numbers(table, mesh, place, [corners](py::ssize_t k) { return corners == 4 && k % 4 == 3; });
   SideSet set{name, {}};
   for (auto side = nodes.begin(); side != nodes.end(); side += corners) {
-    const std::vector<int> own(side, side + corners);
+    std::vector<int> own(side, side + corners);
+    if (own.back() < 0) own.pop_back();
     const auto [first, last] = sides_with(sorted, sorted_corners(own));
     if (first == last)
       throw InputError(fmt::format("{}: no cell has a side with the nodes {}", place, fmt::join(own, ", ")));
@@ -113,17 +127,35 @@ Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& 
 }
 
 py::array corners(const Mesh& mesh, const std::vector<Side>& sides) {
+  std::size_t most = 2;
+  for (const Side& side : sides) most = std::max(most, count_of(corners_of(mesh, side)));
   std::vector<int> result;
-  for (const Side& side : sides)
-    for (const int node : corners_of(mesh, side))
-      if (node >= 0) result.push_back(node);
-  return taken(std::move(result), {static_cast<py::ssize_t>(sides.size()), mesh.dimension == 2 ? 2 : 4});
+  for (const Side& side : sides) {
+    const SideCorners own = corners_of(mesh, side);
+    result.insert(result.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(most));
+  }
+  return taken(std::move(result), {static_cast<py::ssize_t>(sides.size()), static_cast<py::ssize_t>(most)});
 }
 
+/// By name: an array, or a list of arrays if the block has cells of several types.
 py::dict blocks(const py::object& self) {
   py::dict result;
-  for (const ElementBlock& block : self.cast<const Mesh&>().blocks)
-    result[py::str(block.name)] = view(block.nodes.data(), {block.cells(), nodes_per_cell(block.type)}, self);
+  for (const ElementBlock& block : self.cast<const Mesh&>().blocks) {
+    const py::str name(block.name);
+    py::object cells = view(block.nodes.data(), {block.cells(), nodes_per_cell(block.type)}, self);
+    if (!result.contains(name)) {
+      result[name] = cells;
+      continue;
+    }
+    const py::object before = result[name];
+    py::list all;
+    if (py::isinstance<py::list>(before))
+      all = before;
+    else
+      all.append(before);
+    all.append(cells);
+    result[name] = all;
+  }
   return result;
 }
 
@@ -143,12 +175,14 @@ py::dict side_sets(const Mesh& mesh) {
 }  // namespace
 
 void bind_mesh(py::module_& module) {
-  py::class_<Mesh>(module, "Mesh", R"(A mesh of quadrilaterals or hexahedra, whole and in memory.
+  py::class_<Mesh>(module, "Mesh", R"(A mesh, whole and in memory.
 
-points: array of points x 2 or 3 coordinates [L0]. blocks: cells by name, arrays of cells x 4 or 8 node numbers from 0,
-of quadratic cells 9 or 27, in the order of Exodus. node_sets: arrays of node numbers by name. side_sets: arrays of
-sides x 2 or 4 node numbers, those of the corners, by name; a side lies on the boundary. Raises InputError for arrays
-that do not fit each other and for inverted cells.)")
+points: array of points x 2 or 3 coordinates [L0]. blocks: cells by name, arrays of cells x node numbers from 0 in the
+order of Exodus; the number of nodes tells the type: in the plane 3, 6 and 7 for triangles, 4 and 9 for quadrilaterals;
+in space 4, 10 and 15 for tetrahedra, 5, 14 and 19 for pyramids, 6, 18 and 21 for prisms, 8 and 27 for hexahedra. A
+block with cells of several types is a list of such arrays. node_sets: arrays of node numbers by name. side_sets: arrays
+of sides x 2, 3 or 4 node numbers, those of the corners, by name; a triangle beside quadrilaterals has -1 as the last
+one; a side lies on the boundary. Raises InputError for arrays that do not fit each other and for inverted cells.)")
       .def(py::init(&make_mesh), py::arg("points"), py::arg("blocks"), py::arg("node_sets") = py::dict(),
            py::arg("side_sets") = py::dict())
       .def_static(

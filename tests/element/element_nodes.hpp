@@ -6,6 +6,8 @@
 #include <type_traits>
 
 #include "base/small_matrix.hpp"
+#include "fem/cells/hexahedra.hpp"
+#include "fem/cells/quadrilaterals.hpp"
 #include "fem/contact_elements.hpp"
 #include "fem/contact_hexahedra.hpp"
 #include "fem/quadratic_contact_elements.hpp"

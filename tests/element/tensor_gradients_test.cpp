@@ -149,7 +149,7 @@ TYPED_TEST(TensorGradientsTest, OnlyThreePointsAlongEachDirectionAreServed) {
 
 TEST(TiedQuad9, TakesTheTable) {
   for (unsigned tied = 1; tied < 16; ++tied)
-    EXPECT_FALSE(TensorGradients<Quad9>::serves(ShapeTable<Quad9>(element_rule<Quad9>(), tied))) << tied;
+    EXPECT_FALSE(TensorGradients<Quad9>::serves(ShapeTable<Quad9>(own_rule<Quad9>(), tied))) << tied;
 }
 
 }  // namespace

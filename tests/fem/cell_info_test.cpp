@@ -10,6 +10,7 @@
 #include <typeindex>
 #include <utility>
 
+#include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 
 namespace ixos {
@@ -19,7 +20,13 @@ namespace {
 template <ReferenceShape shape>
 auto corners_of_shape() {
   if constexpr (shape == ReferenceShape::Triangle)
-    return std::array<std::array<double, 2>, 3>{{{0, 0}, {1, 0}, {0, 1}}};
+    return Tri3::corners;
+  else if constexpr (shape == ReferenceShape::Tetrahedron)
+    return Tet4::corners;
+  else if constexpr (shape == ReferenceShape::Prism)
+    return Prism6::corners;
+  else if constexpr (shape == ReferenceShape::Pyramid)
+    return Pyr5::corners;
   else
     return corners < shape == ReferenceShape::Quadrilateral ? 2 : 3 > ();
 }
@@ -34,7 +41,8 @@ void expect_side(const std::vector<int>& nodes, const std::string& where) {
   for (double phase : {0.3, 1.1, 2.9}) {
     std::array<double, S> t;
     for (std::size_t d = 0; d < S; ++d) t[d] = std::sin(phase + 2.0 * static_cast<double>(d));
-    using Linear = Multilinear<static_cast<int>(S)>;
+    if constexpr (HasRule<Side>::value) t = {0.2 + 0.1 * t[0], 0.3 + 0.1 * t[1]};  // in the triangle
+    using Linear = std::conditional_t<HasRule<Side>::value, Tri3, Multilinear<static_cast<int>(S)>>;
     std::array<double, Linear::nodes> share;
     std::array<std::array<double, S>, Linear::nodes> slope;
     Linear::evaluate(t, share, slope);
@@ -101,7 +109,11 @@ TEST(CellInfoTest, EachTypeStandsAtItsPlace) {
     EXPECT_EQ(plain.order, info.order);
     EXPECT_EQ(info.contact_side >= 0, info.plain != info.type);
     EXPECT_EQ(info.contact.empty(), info.plain == info.type);
-    EXPECT_EQ(info.exodus.empty(), info.plain != info.type) << "a picture has plain cells";
+    EXPECT_EQ(info.exodus.empty(), info.drawn != info.type) << "a picture has plain cells without bubbles";
+    const CellInfo& drawn = cell_info(info.drawn);
+    EXPECT_EQ(drawn.drawn, info.drawn);
+    EXPECT_EQ(drawn.order, info.order);
+    EXPECT_LE(drawn.nodes, info.nodes);
     for (const CellInfo* part : {&plain, &corners}) {
       EXPECT_EQ(part->shape, info.shape);
       EXPECT_LE(part->nodes, info.nodes);
@@ -115,9 +127,18 @@ TEST(CellInfoTest, TypesAreFoundByWhatTheyAre) {
   EXPECT_EQ(cube_type(3), CellType::Hex8);
   EXPECT_EQ(cube_type(2, 2), CellType::Quad9);
   EXPECT_EQ(cube_type(3, 2), CellType::Hex27);
-  EXPECT_EQ(cube_with(3, 27)->type, CellType::Hex27);
-  EXPECT_EQ(cube_with(2, 3), nullptr) << "a triangle is no quadrilateral";
-  EXPECT_EQ(cube_with(2, 5), nullptr) << "an enriched cell is not plain";
+  EXPECT_EQ(cell_with(3, 27)->type, CellType::Hex27);
+  EXPECT_EQ(cell_with(2, 3)->type, CellType::Tri3);
+  EXPECT_EQ(cell_with(3, 6)->type, CellType::Prism6) << "in the plane it is a triangle";
+  EXPECT_EQ(cell_with(2, 5), nullptr) << "an enriched cell is not plain";
+  EXPECT_EQ(raised_type(CellType::Tet4, false), CellType::Tet10);
+  EXPECT_EQ(raised_type(CellType::Tet10, true), CellType::Tet15);
+  EXPECT_EQ(raised_type(CellType::Hex8, true), CellType::Hex27);
+  std::set<std::pair<int, int>> counts;
+  for (const CellInfo& info : cell_infos())
+    if (info.plain == info.type) {
+      EXPECT_TRUE(counts.insert({info.dimension, info.nodes}).second) << info.name;
+    }
 }
 
 TEST(CellInfoTest, ANumberThatIsNoTypeIsNoOtherTypeInSilence) {

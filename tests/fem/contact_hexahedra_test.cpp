@@ -182,7 +182,7 @@ TYPED_TEST(ContactHexTest, InnerNodesAreWhatAStraightEdgeMakesThem) {
 
 TYPED_TEST(ContactHexTest, TablesIntegrateTheVolume) {
   for (unsigned tied : {0U, 6U}) {
-    const ShapeTable<ContactHex<TypeParam>> table(element_rule<ContactHex<TypeParam>>(), tied);
+    const ShapeTable<ContactHex<TypeParam>> table(own_rule<ContactHex<TypeParam>>(), tied);
     double volume = 0;
     for (std::size_t q = 0; q < table.size(); ++q)
       for (std::size_t a = 0; a < points<TypeParam>; ++a) volume += table.weight[q] * table.value[q][a];

@@ -119,13 +119,14 @@ TEST(ExodusForeignTest, ShellsInSpaceAreRefusedAsShells) {
   squares.height = 0.5;
   write(squares);
   std::string message = refusal();
-  expect_contains(message, "foreign.e: the quadrilaterals do not lie in the plane z = 0: a node stands at (2, 0, 0.5)");
+  expect_contains(message,
+                  "foreign.e: the surface elements do not lie in the plane z = 0: a node stands at (2, 0, 0.5)");
   expect_contains(message, "Ixos has no shells in space");
   squares.height = 0;
   squares.with_brick = true;
   write(squares);
   message = refusal();
-  expect_contains(message, "block \"block_1\" has shells (SHELL4) beside hexahedra");
+  expect_contains(message, "block \"block_1\" has shells (SHELL4) beside cells of a volume");
   EXPECT_EQ(message.find("Mesh.SubdivisionAlgorithm"), std::string::npos) << message;
 }
 

@@ -9,9 +9,15 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <tuple>
 
+#include "fem/cell_info.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/cell_sides.hpp"
+#include "mesh/curved_cells.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/set_size.hpp"
+#include "mesh/soundness.hpp"
 #include "support/refusal.hpp"
 #include "test_folders.hpp"
 
@@ -123,18 +129,117 @@ TEST(GmshMeshTest, WithoutGroupsTheCellsAreTheBody) {
   EXPECT_NEAR(mesh_quality(mesh).volume, 3 * 0.5 * (4 - 1) * std::sin(std::acos(-1.0) / 6), 1e-9);
 }
 
-TEST(GmshMeshTest, OtherCellsAreRefusedWithTheRecipe) {
-  expect_contains(
-      refusal([] { read_gmsh_mesh(path("triangles")); }),
-      "triangles.msh: has triangles with 3 nodes; quadrilaterals with 4 nodes (2D) and hexahedra with 8 "
-      "(3D) are allowed; Mesh/Cell Order 2 makes quadratic cells of them. In gmsh, put these lines into the .geo "
-      "file and mesh it again: "
-      "Mesh.ElementOrder = 1; Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = 1;");
-  const std::string solid = refusal([] { read_gmsh_mesh(path("tetrahedra")); });
-  expect_contains(solid, "has tetrahedra with 4 nodes");
-  expect_contains(solid, "Mesh.SubdivisionAlgorithm = 2;");
-  expect_contains(refusal([] { read_gmsh_mesh(path("plates-order-2")); }), "has quadrilaterals with 9 nodes");
-  expect_contains(refusal([] { read_gmsh_mesh(path("plates-22")); }), "the format is MSH 2.2; 4.1 is allowed");
+TEST(GmshMeshTest, TrianglesAndTetrahedraAreRead) {
+  for (const auto& [name, type, d] :
+       {std::tuple("triangles", CellType::Tri3, 2), std::tuple("tetrahedra", CellType::Tet4, 3)}) {
+    const Mesh mesh = read_gmsh_mesh(path(name));
+    EXPECT_EQ(mesh.dimension, d);
+    ASSERT_EQ(mesh.blocks.size(), 1U);
+    EXPECT_EQ(mesh.blocks[0].type, type);
+    EXPECT_NO_THROW(check_cells(mesh));
+    EXPECT_NEAR(mesh_quality(mesh).volume, 1, 1e-12);
+  }
+}
+
+// Version 2.2 names no entities and has no parametric coordinates; the mesh is the same.
+TEST(GmshMeshTest, FilesOfVersion22HoldTheSameMesh) {
+  const Mesh mesh = read_gmsh_mesh(path("plates-22")), other = read_gmsh_mesh(path("plates"));
+  EXPECT_EQ(names(mesh.blocks), names(other.blocks));
+  EXPECT_EQ(names(mesh.side_sets), names(other.side_sets));
+  for (std::size_t set = 0; set < mesh.side_sets.size(); ++set)
+    EXPECT_EQ(mesh.side_sets[set].sides.size(), other.side_sets[set].sides.size());
+  EXPECT_NO_THROW(check_cells(mesh));
+  EXPECT_NEAR(mesh_quality(mesh).volume, 8, 1e-9);
+}
+
+TEST(GmshMeshTest, CellsOfSecondOrderAreRead) {
+  const Mesh mesh = read_gmsh_mesh(path("plates-order-2"));
+  for (const ElementBlock& block : mesh.blocks) EXPECT_EQ(block.type, CellType::Quad9);
+  EXPECT_NO_THROW(check_cells(mesh));
+  EXPECT_NEAR(mesh_quality(mesh).volume, 8, 1e-9);
+  EXPECT_EQ(mesh.side_sets[0].sides.size(), 4U);
+  EXPECT_EQ(places(mesh, mesh.node_sets[1].nodes).size(), 9U);
+}
+
+/// All nodes stand in the middle of their corners: those of each type are in the right order.
+void expect_straight(const Mesh& mesh) {
+  for (const ElementBlock& block : mesh.blocks)
+    EXPECT_FALSE(needs_high_rule(mesh, block)) << cell_info(block.type).name;
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  for (const ElementBlock& block : mesh.blocks) {
+    const CellInfo& info = cell_info(block.type);
+    for (int cell = 0; cell < block.cells(); ++cell)
+      for (std::size_t a = 0; a < info.node_corners.size(); ++a)
+        for (std::size_t i = 0; i < d; ++i) {
+          const auto x = [&](int own) {
+            return mesh.coordinates[d * static_cast<std::size_t>(block.nodes[cell_entry(cell, info.nodes, own)]) + i];
+          };
+          double middle = 0;
+          for (const int corner : info.node_corners[a])
+            middle += x(corner) / static_cast<double>(info.node_corners[a].size());
+          EXPECT_NEAR(x(static_cast<int>(a)), middle, 1e-12) << info.name << ", node " << a;
+        }
+  }
+}
+
+std::set<CellType> types(const Mesh& mesh) {
+  std::set<CellType> all;
+  for (const ElementBlock& block : mesh.blocks) all.insert(block.type);
+  return all;
+}
+
+TEST(GmshMeshTest, MixedMeshesAreReadAsGmshMakesThem) {
+  const std::set<CellType> linear{CellType::Hex8, CellType::Pyr5, CellType::Tet4},
+      quadratic{CellType::Hex27, CellType::Pyr14, CellType::Tet10};
+  for (const char* name : {"mixed", "mixed-2", "mixed-2-22", "mixed-2-22-binary", "mixed-2-edges"}) {
+    SCOPED_TRACE(name);
+    const Mesh mesh = read_gmsh_mesh(path(name));
+    EXPECT_EQ(types(mesh), std::string(name) == "mixed" ? linear : quadratic);
+    for (const ElementBlock& block : mesh.blocks) EXPECT_EQ(block.name, "body");
+    EXPECT_NO_THROW(check_cells(mesh));
+    EXPECT_NO_THROW(require_one_order(mesh));
+    EXPECT_NO_THROW(require_shared_middles(mesh));
+    EXPECT_NO_THROW(refuse_split_faces(mesh));
+    EXPECT_NEAR(mesh_quality(mesh).volume, 2, 1e-12);
+    expect_straight(mesh);
+    ASSERT_EQ(mesh.side_sets.size(), 1U);
+    double area = 0;
+    for (const Side& side : mesh.side_sets[0].sides) area += side_measure(mesh, side);
+    EXPECT_NEAR(area, 2, 1e-12);
+    for (const auto& x : places(mesh, mesh.node_sets.at(0).nodes)) EXPECT_NEAR(x[2], 0, 1e-12);
+    // The nodes of the bottom's sides, with those that the file lacks.
+    std::set<int> of_sides;
+    for (const Side& side : mesh.side_sets[0].sides)
+      for (const int node : nodes_of_side(mesh, side)) of_sides.insert(node);
+    EXPECT_EQ(std::set<int>(mesh.node_sets[0].nodes.begin(), mesh.node_sets[0].nodes.end()), of_sides);
+  }
+}
+
+TEST(GmshMeshTest, PrismsOfFifteenNodesBecomeThoseOfEighteen) {
+  for (const char* name : {"prisms-2", "prisms-2-edges"}) {
+    const Mesh mesh = read_gmsh_mesh(path(name));
+    EXPECT_EQ(types(mesh), std::set<CellType>{CellType::Prism18});
+    EXPECT_NO_THROW(require_shared_middles(mesh));
+    EXPECT_NEAR(mesh_quality(mesh).volume, 1, 1e-12);
+    expect_straight(mesh);
+  }
+}
+
+TEST(GmshMeshTest, RoundedEdgesStayRound) {
+  const Mesh mesh = read_gmsh_mesh(path("disk-2"));
+  EXPECT_EQ(types(mesh), std::set<CellType>{CellType::Tri6});
+  EXPECT_TRUE(needs_high_rule(mesh, mesh.blocks[0]));
+  for (const auto& x : places(mesh, mesh.node_sets.at(0).nodes)) EXPECT_NEAR(std::hypot(x[0], x[1]), 1, 1e-12);
+  // A parabola on an arc of half the angle h misses h^5/30 of its segment, up to terms of h^7.
+  const double half = std::acos(-1.0) / 9;
+  EXPECT_NEAR(mesh_quality(mesh).volume, std::acos(-1.0) - 9 * std::pow(half, 5) / 30, 9 * std::pow(half, 7) / 30);
+  Mesh richer = mesh;
+  raise_order(richer, true);
+  EXPECT_EQ(types(richer), std::set<CellType>{CellType::Tri7});
+  EXPECT_NEAR(mesh_quality(richer).volume, mesh_quality(mesh).volume, 1e-13);
+}
+
+TEST(GmshMeshTest, PartitionedMeshesAreRefused) {
   expect_contains(refusal([] { read_gmsh_mesh(path("plates-parts")); }), "the mesh is partitioned");
 }
 
@@ -210,13 +315,13 @@ TEST(GmshMeshTest, SidesWithoutCellsAreRefusedWithTheCause) {
       "= 1";
   const std::string nodes = "1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 1\n1 0 1\n1 1 1\n0 1 1";
   expect_contains(refusal_of("0 1 1 0\n1 0 0 0 1 0 0 1 7 0\n1 0 0 0 1 1 0 0 0", nodes, "1 1 1 1\n1 1 1 1\n1 1 2"),
-                  "written.msh: has no cells: a mesh needs quadrilaterals (2D) or hexahedra (3D). " + cause);
+                  "written.msh: has no cells: a mesh needs surface elements (2D) or volume elements (3D). " + cause);
   const std::string bare = refusal_of("0 1 0 0\n1 0 0 0 1 0 0 0 0", nodes, "1 1 1 1\n1 1 1 1\n1 1 2");
   EXPECT_EQ(bare.find("gmsh saves"), std::string::npos) << bare;
   // The upper side of a block whose volume is in no group.
   const std::string side =
       refusal_of("0 0 1 1\n1 0 0 1 1 1 1 1 7 0\n1 0 0 0 1 1 1 0 0", nodes, "1 1 1 1\n2 1 3 1\n1 1 2 3 4");
-  expect_contains(side, "the quadrilaterals do not lie in the plane z = 0");
+  expect_contains(side, "the surface elements do not lie in the plane z = 0");
   expect_contains(side, cause);
 }
 

@@ -122,7 +122,8 @@ TEST(MshFileTest, WhatDoesNotFitIsRefusedWithItsPlace) {
   };
   const Case cases[] = {
       {"$MeshFormat", "$Nodes", "m.msh: is not a mesh of gmsh"},
-      {"4.1 0 8", "2.2 0 8", "m.msh: line 2: the format is MSH 2.2; 4.1 is allowed. Convert the file with: gmsh"},
+      {"4.1 0 8", "4.0 0 8",
+       "m.msh: line 2: the format is MSH 4.0; 4.1 and 2.2 are allowed. Convert the file with: gmsh"},
       {"4.1 0 8", "4.1 2 8", "line 2: the mode is 2; 0 (ASCII) and 1 (binary) are allowed"},
       {"4.1 0 8", "4.1 0 4", "line 2: a size_t has 4 bytes; 8 are allowed"},
       {"\n2\n1 7 \"", "\n3\n1 7 \"", "line 11: a dimension is \"$EndPhysicalNames\""},
@@ -143,7 +144,8 @@ TEST(MshFileTest, WhatDoesNotFitIsRefusedWithItsPlace) {
       {"1 1 0 0.6", "1 inf 0 0.6", "line 28: a coordinate of a node is inf; a finite number is allowed"},
       {"3 3 1 3\n", "3 4 1 3\n", "the entities have 3 elements, not 4"},
       {"3 3 1 3\n", "3 2 1 3\n", "the entities have more elements than $Elements claims"},
-      {"2 5 3 1\n", "2 5 99 1\n", "elements of type 99, which is unknown; elements of first order are allowed"},
+      {"2 5 3 1\n", "2 5 99 1\n",
+       "elements of type 99, which is unknown; elements of first and second order are allowed"},
       {"2 5 3 1\n", "2 5 1 1\n", "lines (type 1) in an entity of dimension 2"},
       {"2 5 3 1\n", "2 5 3 900000000000\n", "the number of elements of an entity is 900000000000, more than"},
       {"3 2 10 40 30", "3 2 10 40 31", "line 38: an element has the node 31, which does not exist"},

@@ -46,7 +46,7 @@ TEST(NormalizeTest, MeshesOutsideThePlaneAreRefused) {
   mesh = plates();
   mesh.coordinates[11] = 1e-6;
   test::expect_contains(test::refusal([&] { flatten(mesh); }),
-                        "the quadrilaterals do not lie in the plane z = 0: a node stands at (2, 0, 1e-06)");
+                        "the surface elements do not lie in the plane z = 0: a node stands at (2, 0, 1e-06)");
   EXPECT_EQ(mesh.dimension, 3);
 }
 

@@ -101,7 +101,7 @@ class MeshTest(FolderTest):
                 ("point 0 has the coordinate nan", {"points": np.where(POINTS == 0, np.nan, POINTS)}),
                 ("point 6 belongs to no cell", {"points": np.vstack([POINTS, [[9, 9]]])}),
                 ('block "body" has node 6; the points are numbered from 0 to 5', {"blocks": {"body": CELLS + 1}}),
-                ('block "body": its cells have 3 nodes', {"blocks": {"body": CELLS[:, :3]}}),
+                ('block "body": its cells have 2 nodes', {"blocks": {"body": CELLS[:, :2]}}),
                 ('block "body": an array of integers', {"blocks": {"body": CELLS + 0.5}}),
                 ("no blocks", {"blocks": {}, "node_sets": {}, "side_sets": {}}),
                 ('block "body", cell 1 at (1, 1): inverted', {"blocks": {"body": CELLS[:, ::-1]}}),
@@ -117,6 +117,20 @@ class MeshTest(FolderTest):
         with self.assertRaisesRegex(ixos.InputError, "elements 1 and 2 have the same nodes"):
             twice = ixos.Mesh(POINTS[[0, 1, 4, 3]], {"a": [[0, 1, 2, 3]], "b": [[1, 2, 3, 0]]})
             pulled_block().simulation(mesh=twice)
+
+    def test_a_block_may_have_cells_of_several_types(self):
+        mixed = [[[0, 1, 4, 3]], [[1, 2, 5], [1, 5, 4]]]
+        mesh = ixos.Mesh(POINTS, {"body": [np.array(cells) for cells in mixed]}, {"left": [0, 3]},
+                         {"bottom": [[0, 1], [1, 2]]})
+        self.assertEqual([cells.tolist() for cells in mesh.blocks["body"]], mixed)
+        self.assertEqual(mesh.side_sets["bottom"].tolist(), [[0, 1], [1, 2]])
+        points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [0, 1, 1], [0.3, 0.3, 2]])
+        prism = ixos.Mesh(points, {"body": [np.array([[0, 1, 2, 3, 4, 5]]), np.array([[3, 4, 5, 6]])]}, {},
+                          {"some": [[0, 1, 4, 3], [0, 2, 1, -1]], "bottom": [[0, 2, 1]]})
+        self.assertEqual(prism.side_sets["some"].tolist(), [[0, 1, 4, 3], [0, 2, 1, -1]])
+        self.assertEqual(prism.side_sets["bottom"].tolist(), [[0, 2, 1]])
+        with self.assertRaisesRegex(ixos.InputError, "two blocks have the name"):
+            ixos.Mesh(POINTS, {"body": [CELLS[:1], CELLS[1:]]})
 
     def test_meshes_are_joined_under_their_names(self):
         one = block()

@@ -26,7 +26,7 @@ elsewhere = {
     "run/handover.hpp": ("run/stages_test.cpp", "stages that go on from each other"),
     "run/history_row.hpp": ("run/run_test.cpp", "rows of history.csv"),
     "run/stage_ends.hpp": ("run/stages_test.cpp", "ends of stages, and restarts in each"),
-    "fem/cell_traits.hpp": ("fem/cell_info_test.cpp", "traits of all types; inside or not in cells/tri3_test.cpp"),
+    "fem/cell_traits.hpp": ("fem/cell_info_test.cpp", "traits of all types; inside or not in cells/triangles_test.cpp and simplices_test.cpp"),
     "fem/cells/hexahedra.hpp": ("fem/cell_info_test.cpp", "sides of all types"),
     "fem/cells/quadrilaterals.hpp": ("fem/cell_info_test.cpp", "sides of all types"),
     "study/common/study_run.hpp": ("study/compare/study_test.cpp", "the scenes of a study's runs"),

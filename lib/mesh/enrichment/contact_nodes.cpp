@@ -1,33 +1,13 @@
 #include "mesh/enrichment/contact_nodes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
+#include "fem/cell_info.hpp"
 #include "mesh/cell_sides.hpp"
 
 namespace ixos {
-
-int add_node(Mesh& mesh, const std::vector<double>& x, int derivative_of) {
-  if (derivative_of >= 0 && mesh.derivative_of.empty())
-    mesh.derivative_of.assign(static_cast<std::size_t>(mesh.nodes()), -1);
-  mesh.coordinates.insert(mesh.coordinates.end(), x.begin(), x.end());
-  if (!mesh.derivative_of.empty()) mesh.derivative_of.push_back(derivative_of);
-  return mesh.nodes() - 1;
-}
-
-void complete_node_sets(Mesh& mesh, const std::vector<Between>& added) {
-  for (NodeSet& set : mesh.node_sets) {
-    const std::set<int> members(set.nodes.begin(), set.nodes.end());
-    const auto is_member = [&](int node) { return members.count(node) != 0; };
-    std::set<int> further;
-    for (const Between& between : added)
-      if (std::all_of(between.corners.begin(), between.corners.end(), is_member))
-        further.insert(between.nodes.begin(), between.nodes.end());
-    set.nodes.insert(set.nodes.end(), further.begin(), further.end());
-  }
-}
 
 Edge edge_key(int a, int b) { return std::minmax(a, b); }
 
@@ -41,8 +21,6 @@ double length(const Mesh& mesh, const Edge& edge) {
 std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set) {
   // Counts, for each edge of the set's faces, those faces less all cells around it. A cell has one face in the set, so
   // the count is zero if every cell at the edge is enriched along it; cells may also meet in the edge alone.
-  constexpr std::array<std::array<int, 2>, 12> edges{
-      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   std::map<Edge, int> balance;
   for (const Side& side : set.sides) {
     const std::vector<int> corners = nodes_of_side(mesh, side);
@@ -50,10 +28,12 @@ std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set) {
   }
   for (const ElementBlock& block : mesh.blocks) {
     const int n = nodes_per_cell(block.type);
+    const CellInfo& quadratic = cell_info(raised_type(corner_type(block.type), false));
     for (int cell = 0; cell < block.cells(); ++cell)
-      for (const auto& [a, b] : edges) {
-        const auto found =
-            balance.find(edge_key(block.nodes[cell_entry(cell, n, a)], block.nodes[cell_entry(cell, n, b)]));
+      for (const NodeCorners& edge : quadratic.node_corners) {
+        if (edge.size() != 2) continue;
+        const auto found = balance.find(
+            edge_key(block.nodes[cell_entry(cell, n, edge[0])], block.nodes[cell_entry(cell, n, edge[1])]));
         if (found != balance.end()) --found->second;
       }
   }

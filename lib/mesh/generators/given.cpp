@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/error.hpp"
@@ -36,10 +37,10 @@ void check_blocks(const Mesh& mesh) {
   std::vector<bool> used(static_cast<std::size_t>(mesh.nodes()), false);
   for (const ElementBlock& block : mesh.blocks) {
     const std::string place = "block \"" + block.name + "\"";
-    if (corner_type(block.type) != cube_type(mesh.dimension) || is_enriched(block.type))
-      throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place,
-                                   nodes_per_cell(block.type), mesh.dimension,
-                                   mesh.dimension == 2 ? "4 or 9" : "8 or 27"));
+    if (cell_info(block.type).dimension != mesh.dimension || is_enriched(block.type))
+      throw InputError(fmt::format(
+          "{}: its cells have {} nodes; in {} dimensions cells have {}", place, nodes_per_cell(block.type),
+          mesh.dimension, mesh.dimension == 2 ? "3, 4, 6, 7 or 9" : "4, 5, 6, 8, 10, 14, 15, 18, 19, 21 or 27"));
     if (block.nodes.empty() || block.nodes.size() % static_cast<std::size_t>(nodes_per_cell(block.type)) != 0)
       throw InputError(fmt::format("{}: {} node numbers are not those of cells with {} nodes", place,
                                    block.nodes.size(), nodes_per_cell(block.type)));
@@ -88,7 +89,9 @@ MeshEntry given_mesh() {
 
 void check_arrays(const Mesh& mesh) {
   check_coordinates(mesh);
-  check_names(mesh.blocks, "block");
+  std::map<CellType, std::vector<ElementBlock>> alike;  // a body part has one block for each type of its cells
+  for (const ElementBlock& block : mesh.blocks) alike[block.type].push_back({block.name, block.type, {}});
+  for (const auto& [type, blocks] : alike) check_names(blocks, "block");
   check_names(mesh.node_sets, "node set");
   check_names(mesh.side_sets, "side set");
   check_blocks(mesh);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "fem/quadrature.hpp"
+#include "fem/simplex_rules.hpp"
 
 namespace ixos {
 namespace {

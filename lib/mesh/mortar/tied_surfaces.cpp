@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "mesh/cell_place.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/mortar/mortar_weights.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/region.hpp"
@@ -34,7 +35,12 @@ Surface surface_of(const Mesh& mesh, const std::string& name) {
   if (set.sides.empty()) throw InputError(fmt::format("the side set \"{}\" has no sides", name));
   Surface surface{name, nodes_of(mesh, set), {}};
   surface.sides.reserve(set.sides.size());
-  for (const Side& side : set.sides) surface.sides.emplace_back(mesh, side);
+  for (const Side& side : set.sides) {
+    if (mesh.dimension == 3 && count_of(corners_of(mesh, side)) == 3)
+      throw InputError(
+          fmt::format("the side set \"{}\" has triangles; surfaces of quadrilaterals alone can be tied", name));
+    surface.sides.emplace_back(mesh, side);
+  }
   return surface;
 }
 

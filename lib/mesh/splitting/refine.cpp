@@ -1,5 +1,7 @@
 #include "mesh/splitting/refine.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <set>
@@ -149,6 +151,12 @@ void drop_middles(Mesh& mesh) {
 void refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order) {
   if (mesh.plain_nodes >= 0) throw InputError("the mesh has enriched sides; refine it before it is enriched");
   if (!mesh.ties.empty()) throw InputError("the mesh has tied nodes already; refine it before they are tied");
+  for (const ElementBlock& block : mesh.blocks)
+    if (!is_cube(block.type) && block.cells() > 0)
+      throw InputError(
+          fmt::format("block \"{}\": only quadrilaterals and hexahedra are refined; give a mesh of {} cells its size "
+                      "where it is made",
+                      block.name, cell_info(block.type).name));
   std::vector<RegionSearch> searches;
   std::vector<std::string> names;
   for (const NamedRegion& region : regions) {

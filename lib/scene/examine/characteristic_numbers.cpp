@@ -10,6 +10,7 @@
 #include "interaction/gap_law.hpp"
 #include "interaction/obstacle.hpp"
 #include "material/elastic_law.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
 #include "scene/read/mesh_parts.hpp"
@@ -89,15 +90,11 @@ std::vector<Point> side_points(const Mesh& mesh, const Side& side) {
   return points;
 }
 
-/// Returns the length of a side between its corners, in 3D its area: half the product of its diagonals.
-double measure_of(const std::vector<Point>& corners, int dimension) {
-  const auto minus = [](const Point& x, const Point& y) { return Point{x[0] - y[0], x[1] - y[1], x[2] - y[2]}; };
-  if (dimension == 2) {
-    const Point d = minus(corners[1], corners[0]);
-    return std::hypot(d[0], d[1]);
-  }
-  const Point a = minus(corners[2], corners[0]), b = minus(corners[3], corners[1]);
-  return 0.5 * std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+/// Returns the length of a side between its corners, in 3D its area.
+double measure_of(const Mesh& mesh, const Side& side) {
+  const std::array<double, 3> normal = outward_normal(mesh, side);
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  return mesh.dimension == 2 ? length : 0.5 * length;
 }
 
 ObstacleGap obstacle_gap(const Obstacle& obstacle, const Point& x) { return obstacle.at({x[0], x[1], x[2]}); }
@@ -162,8 +159,7 @@ double extent_of(const Mesh& mesh, const SideSet& set, const Point& normal) {
 
 double mean_face_length(const Mesh& mesh, const SideSet& set) {
   double measure = 0;
-  for (const Side& side : set.sides)
-    measure += measure_of(side_points(mesh, side), mesh.dimension) / static_cast<double>(set.sides.size());
+  for (const Side& side : set.sides) measure += measure_of(mesh, side) / static_cast<double>(set.sides.size());
   return mesh.dimension == 2 ? measure : std::sqrt(measure);
 }
 

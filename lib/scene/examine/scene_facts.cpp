@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/cell_info.hpp"
 #include "interaction/gap_law.hpp"
 #include "material/elastic_law.hpp"
 #include "material/lame.hpp"
@@ -114,6 +115,10 @@ BodyBending body_bending(const Material& material, const Mesh& mesh, const std::
     query.held = held;
   }
   own.cells = typical_bending(mesh, query);
+  for (const ElementBlock& block : mesh.blocks)
+    if (const CellInfo& info = cell_info(block.type);
+        block.name == material.block && info.constant_strain && block.cells() > 0)
+      own.constant_strain = info.name;
   return own;
 }
 

@@ -257,6 +257,20 @@ Message cells_that_lock(const Facts& facts) {
   return "";
 }
 
+/// Linear triangles and tetrahedra.
+Message cells_of_constant_strain(const Facts& facts) {
+  for (std::size_t i = 0; i < facts.bending.size(); ++i) {
+    const BodyBending& own = facts.bending[i];
+    if (own.constant_strain.empty()) continue;
+    return fmt::format(
+        "Materials/{}: the strain of {} cells is constant: they are too stiff in bending, and from a Poisson's ratio "
+        "of "
+        "0.4 on (it is {:.4g}) in other deformations, too; use Cell Order 2",
+        facts.numbers.bodies[i].name, own.constant_strain, own.poissons_ratio);
+  }
+  return "";
+}
+
 Message bond_that_never_forms(const Facts& facts) {
   return first_surface(facts, [](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
     if (!own.never_bonds) return Message();
@@ -326,6 +340,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"bond", bond_that_never_forms},
     {"bending", no_way_to_bend},
     {"locking", cells_that_lock},
+    {"constant strain", cells_of_constant_strain},
     {"friction of one law", friction_of_one_law},
     {"no friction", oblique_pull_without_friction},
 };

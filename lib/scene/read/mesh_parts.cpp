@@ -11,6 +11,7 @@
 #include "mesh/merged_parts.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/soundness.hpp"
 #include "mesh/tied_nodes.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
@@ -132,6 +133,7 @@ void prepare(const SceneNode& node, int order, Mesh& mesh) {
   if (order == 2) raise_order(mesh);
   at(node.path(), [&] {
     require_one_order(mesh);
+    refuse_split_faces(mesh);
     require_shared_middles(mesh);
   });
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/mesh_file.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/mortar/tied_surfaces.hpp"
 #include "mesh/periodic_sides.hpp"
@@ -20,6 +21,7 @@
 #include "scene/read/mesh_sets.hpp"
 #include "scene/read/obstacle_files.hpp"
 #include "scene/read/parameters.hpp"
+#include "time/catalogue.hpp"
 
 namespace ixos {
 #define ENTRY(name) MeshEntry name();
@@ -72,16 +74,34 @@ void find_files(Teuchos::ParameterList& mesh, const std::string& scene_folder) {
 
 }  // namespace
 
-Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
+bool needs_bubbles(const Teuchos::ParameterList& scene) {
+  for (const auto& [name, entry] : entries(scene.isSublist("Materials") ? scene.sublist("Materials") : scene)) {
+    if (!entry.isList()) continue;
+    const Teuchos::ParameterList& material = Teuchos::getValue<Teuchos::ParameterList>(entry);
+    if (material.isType<std::string>("Element Formulation") &&
+        material.get<std::string>("Element Formulation") == "Mean Dilatation")
+      return true;
+  }
+  if (!scene.isSublist("Time Integrator")) return false;
+  const Teuchos::ParameterList& integrator = scene.sublist("Time Integrator");
+  const auto chosen = [&](const Scheme& scheme) {
+    return integrator.isType<std::string>("Type") && integrator.get<std::string>("Type") == scheme.name;
+  };
+  const auto found = std::find_if(schemes().begin(), schemes().end(), chosen);
+  return found != schemes().end() && found->table(found->parameters).mass == Inertia::Lumped;
+}
+
+Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder, bool bubbles) {
   find_files(list, scene_folder);
   const SceneNode node(list, "Mesh");
   Mesh mesh = mapped_mesh(meshes(), node, node.count(cell_order), refined_regions(node.sublist("Refine")));
   mesh.axisymmetric = is_axisymmetric(list);
+  if (bubbles) add_bubbles(mesh);
   finish(node, mesh);
   return mesh;
 }
 
-Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given) {
+Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given, bool bubbles) {
   given.axisymmetric = given.axisymmetric || is_axisymmetric(list);
   at("Mesh", [&] {
     check_arrays(given);
@@ -89,6 +109,7 @@ Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given) {
   });
   const SceneNode node(list, "Mesh");
   apply_order_and_map(node, node.count(cell_order), refined_regions(node.sublist("Refine")), given);
+  if (bubbles) add_bubbles(given);
   finish(node, given);
   return given;
 }

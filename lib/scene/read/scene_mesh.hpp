@@ -21,12 +21,17 @@ constexpr const char* cell_order = "Cell Order";
 bool is_axisymmetric(const Teuchos::ParameterList& mesh);
 
 /// Makes the mesh of a validated "Mesh" list, with its order of cells and its map; it has passed check_cells(). Looks
-/// for a mesh file in the working folder, then in `scene_folder`. Throws InputError with the list path.
-Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
+/// for a mesh file in the working folder, then in `scene_folder`. `bubbles`: quadratic cells get the nodes of those
+/// with bubbles, see raised_type(). Throws InputError with the list path.
+Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder, bool bubbles = false);
 
 /// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()), and applies order, map and
 /// sets of a validated "Mesh" list. Throws InputError with the list path.
-Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given);
+Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given, bool bubbles = false);
+
+/// Returns whether a scene needs cells with bubbles where there are any: for the formulation Mean Dilatation, or for
+/// the lumped mass of explicit schemes. `scene` need not be complete.
+bool needs_bubbles(const Teuchos::ParameterList& scene);
 
 /// Returns the user's scene with "Given" as its mesh, of that dimension, in place of any other; its "Mesh/Sets" stay.
 /// An axisymmetric mesh sets the "Geometry", otherwise the scene's stays.

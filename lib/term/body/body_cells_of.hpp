@@ -111,7 +111,7 @@ class BodyCellsOf final : public BodyCells<SpaceOf<Element>> {
   /// others.
   void add_rough_product(const PointProduct<D>& product, const NarrowPack* data, std::size_t size, const double* x,
                          double* y) const override {
-    if constexpr (is_linear_element<Element> || std::is_same_v<Element, Quad9> || std::is_same_v<Element, Hex27>) {
+    if constexpr (std::is_same_v<Element, typename CellTraits<Element>::Plain>) {
       if (!cells_of_.batches.scaled()) return add_single_product(product, data, size, x, y);
     }
     add_product(product, data, size, x, y);

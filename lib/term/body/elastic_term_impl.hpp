@@ -117,10 +117,10 @@ std::unique_ptr<Elasticity> make_dilatation_term(const LocalMesh& mesh, const Lo
   return with_element_of<D>(block.type, [&](auto tag) -> std::unique_ptr<Elasticity> {
     using Plain = typename decltype(tag)::type;
     using Element = std::conditional_t<revolved, Revolved<Plain>, Plain>;
-    if constexpr (!CellTraits<Plain>::constant_strain)
+    if constexpr (has_dilatation<Plain>)
       return make_kernel_term<DilatationKernel, Element>(mesh, block, pattern, law, points);
     else
-      throw std::logic_error("these cells have Standard elements only");
+      throw std::logic_error("these cells have no mean dilatation");
   });
 }
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "base/small_matrix.hpp"
+#include "fem/cell_info.hpp"
 #include "fem/jacobian.hpp"
 #include "fem/revolved.hpp"
 #include "fem/shape_table.hpp"
@@ -26,11 +28,51 @@ double diagonal_scale(const Small<double, N>& element) {
   return mass / diagonal;
 }
 
+/// Whether an element lists nodal_weights(): those of its lumped mass.
+template <class Element, class = void>
+struct HasNodalWeights : std::false_type {};
+template <class Element>
+struct HasNodalWeights<Element, std::void_t<decltype(Element::nodal_weights())>> : std::true_type {};
+
+/// Adds the masses of quadrature at the nodes: the weights are those of the row sums of straight cells. The Jacobian of
+/// curved triangles and tetrahedra is of degree 3 at most, so that their total is exact; prisms are scaled to theirs.
+template <class Element>
+void add_at_nodes(const LocalMesh& mesh, const LocalBlock& block, double density, const Pattern& pattern,
+                  std::vector<double>& masses) {
+  constexpr std::size_t D = Element::dimension, N = Element::nodes;
+  const auto weights = Element::nodal_weights();
+  [[maybe_unused]] const auto rule = own_rule<Element>();
+  for (int cell = 0; cell < block.cells(); ++cell) {
+    const int* nodes = &block.nodes[cell_entry(cell, N)];
+    std::array<double, N> at_nodes;
+    [[maybe_unused]] double sum = 0, exact = 0;
+    for (std::size_t a = 0; a < N; ++a) {
+      at_nodes[a] =
+          density * weights[a] * determinant(jacobian_at<Element, D>(Element::place(a), mesh.coordinates, nodes));
+      sum += at_nodes[a];
+    }
+    if constexpr (CellTraits<Element>::shape == ReferenceShape::Prism) {
+      for (std::size_t q = 0; q < rule.size(); ++q)
+        exact +=
+            density * rule.weights[q] * determinant(jacobian_at<Element, D>(rule.points[q], mesh.coordinates, nodes));
+      for (double& mass : at_nodes) mass *= exact / sum;
+    }
+    for (std::size_t a = 0; a < N; ++a) {
+      const double mass = at_nodes[a];
+      pattern.ties().for_each_share(nodes[a], [&](int row, double weight) {
+        if (row < pattern.rows()) masses[static_cast<std::size_t>(row)] += weight * mass;
+      });
+    }
+  }
+}
+
 template <class Element>
 void add(const LocalMesh& mesh, const LocalBlock& block, double density, const Pattern& pattern, bool lumped,
          std::vector<double>& pairs) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
+  if constexpr (HasNodalWeights<Element>::value)
+    if (lumped && !mesh.axisymmetric) return add_at_nodes<Element>(mesh, block, density, pattern, pairs);
   const ShapeTable<Element> table(mass_rule<Element>(), block.tied);
   for (int cell = 0; cell < block.cells(); ++cell) {
     const int* nodes = &block.nodes[cell_entry(cell, N)];
@@ -44,7 +86,8 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
         for (std::size_t b = 0; b < N; ++b)
           element[a][b] += weight * scale[a] * table.value[q][a] * scale[b] * table.value[q][b];
     }
-    const bool scaled = lumped && is_quadratic(block.type);
+    // Row sums of quadratic cells need not be positive; those of the pyramid with bubbles are.
+    const bool scaled = lumped && is_quadratic(block.type) && block.type != CellType::Pyr19;
     const double scale_of_diagonal = scaled ? diagonal_scale(element) : 1;
     for (std::size_t a = 0; a < N; ++a)
       pattern.ties().for_each_share(nodes[a], [&](int row, double weight) {
@@ -96,6 +139,12 @@ void Mass::add_block(const LocalBlock& block, double density) {
   if (lumped_ && is_hermite(block.type))
     throw InputError("block \"" + block.name +
                      "\": a Hermite contact element (Q1CH) has no lumped mass, which explicit schemes need");
+  const CellInfo& info = cell_info(block.type);
+  if (lumped_ && info.order == 2 && !is_cube(block.type) && !info.bubbles)
+    throw InputError(fmt::format(
+        "block \"{}\": {} cells have no lumped mass as accurate as their displacements, which explicit schemes need; "
+        "raise_order() with bubbles makes {} cells of them",
+        block.name, info.name, cell_info(raised_type(block.type, true)).name));
   bodies_.push_back({&block, density});
   integrate(block, density);
 }

@@ -180,7 +180,7 @@ class SurfaceSides : public Interface {
 
   /// Returns the value at a quadrature point of numbers by local node. The first nodes of a side are its corners.
   double between_corners(const std::vector<double>& by_node, std::size_t b, std::size_t q, std::size_t lane) const {
-    using Plain = Multilinear<static_cast<int>(D) - 1>;
+    using Plain = std::conditional_t<HasRule<SideElement>::value, Tri3, Multilinear<static_cast<int>(D) - 1>>;
     std::array<double, Plain::nodes> shape;
     std::array<std::array<double, D - 1>, Plain::nodes> slope;
     Plain::evaluate(quadrature_.point[q], shape, slope);
@@ -204,11 +204,20 @@ class SurfaceSides : public Interface {
 
   /// Returns the rule with that many points along each direction; 0: 5, beyond order 2 more.
   static QuadratureRule<D - 1> rule(int points) {
-    return element_rule<SideElement>(points > 0 ? points : SideElement::default_points[0] > 3 ? 8 : 5);
+    return element_rule<SideElement>(points > 0 ? points : most_nodes_along()[0] > 3 ? 8 : 5);
+  }
+
+  /// Returns the order + 1, or more, along each direction.
+  static constexpr std::array<int, D - 1> most_nodes_along() {
+    if constexpr (HasRule<SideElement>::value) {
+      return {CellTraits<SideElement>::order + 1, CellTraits<SideElement>::order + 1};
+    } else {
+      return SideElement::default_points;
+    }
   }
 
   static std::array<int, D - 1> grid_counts() {
-    std::array<int, D - 1> result = SideElement::default_points;  // the order + 1, or more
+    std::array<int, D - 1> result = most_nodes_along();
     for (int& count : result) count = 2 * count - 1;
     return result;
   }

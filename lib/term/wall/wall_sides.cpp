@@ -10,12 +10,13 @@ namespace ixos {
 
 std::vector<SideGroup> grouped(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
                                const std::vector<SideKind>& kinds) {
-  std::map<std::tuple<std::size_t, bool, unsigned>, SideGroup> groups;
+  std::map<std::tuple<std::size_t, std::size_t, bool, unsigned>, SideGroup> groups;
   const auto group_of = [&](int block_number, int side) -> SideGroup& {
     const LocalBlock& block = mesh.blocks[static_cast<std::size_t>(block_number)];
-    const std::size_t nodes = side_nodes(block.type, side).size();
+    const std::size_t nodes = side_nodes(block.type, side).size(),
+                      corners = side_nodes(corner_type(block.type), side).size();
     const SideGroup empty{block.type, side, {}};
-    return groups.insert({{nodes, is_hermite(block.type), side_ties(block, side)}, empty}).first->second;
+    return groups.insert({{nodes, corners, is_hermite(block.type), side_ties(block, side)}, empty}).first->second;
   };
   for (const SideKind& kind : kinds) group_of(kind.block, kind.side);
   for (const LocalSide& side : sides) group_of(side.block, side.side).sides.push_back(side);

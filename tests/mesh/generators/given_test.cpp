@@ -43,7 +43,7 @@ TEST(GivenMeshTest, ArraysThatDoNotFitAreRefused) {
   EXPECT_EQ(refusal([](Mesh& m) { m.blocks[0].nodes.pop_back(); }),
             "block \"body\": 7 node numbers are not those of cells with 4 nodes");
   EXPECT_EQ(refusal([](Mesh& m) { m.blocks[0].type = CellType::Hex8; }),
-            "block \"body\": its cells have 8 nodes; in 2 dimensions cells have 4 or 9");
+            "block \"body\": its cells have 8 nodes; in 2 dimensions cells have 3, 4, 6, 7 or 9");
   EXPECT_EQ(refusal([](Mesh& m) {
               m.coordinates.insert(m.coordinates.end(), {9, 9});
             }),

@@ -85,7 +85,7 @@ void for_each_point(const Mesh& mesh, const F& f) {
   for (const ElementBlock& block : mesh.blocks)
     with_element(block.type, [&](auto tag) {
       using Element = typename decltype(tag)::type;
-      const ShapeTable<Element> table(element_rule<Element>(), 0U);
+      const ShapeTable<Element> table(own_rule<Element>(), 0U);
       std::array<double, Element::nodes> scale;
       scale.fill(1);
       for (int cell = 0; cell < block.cells(); ++cell) {
