@@ -106,6 +106,9 @@ class Fields:
     def _outline(self, whole):
         """The nodes around a whole cell. The first side of its pieces is the enriched one, the third its opposite."""
         cells = self.cells[whole]
+        cells = cells[:, :np.count_nonzero(cells[0] >= 0)]
+        if cells.shape[1] in (3, 6):
+            return cells[0][[0, 1, 2] if cells.shape[1] == 3 else [0, 3, 1, 4, 2, 5]]
         if cells.shape[1] == 9:  # with the middles of its sides
             return np.concatenate([cells[:, [0, 4]].ravel(), cells[-1, [1, 5]], cells[::-1, [2, 6]].ravel(), cells[0, [3, 7]]])
         return cells[0] if len(cells) == 1 else np.concatenate([cells[:, 0], cells[-1, 1:3], cells[::-1, 3]])

@@ -7,9 +7,11 @@ import sys
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the renderer itself)
 from matplotlib import colormaps
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TRIQUADRATIC_HEXAHEDRON, vtkCellArray, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import (VTK_BIQUADRATIC_QUADRATIC_WEDGE, VTK_HEXAHEDRON, VTK_PYRAMID,
+                                           VTK_QUADRATIC_PYRAMID, VTK_QUADRATIC_TETRA, VTK_TETRA,
+                                           VTK_TRIQUADRATIC_HEXAHEDRON, VTK_WEDGE, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -21,8 +23,12 @@ from results import ResultsError
 SIZE = (1600, 1200)
 LINES = (0.25, 0.25, 0.25)
 VIEW = (0.6, -1.0, 0.4)  # from the body to the eye
-# VTK's order of the 27 nodes of a quadratic hexahedron by Exodus' order: corners, edges, faces, the centre.
-VTK_ORDER = [*range(12), *range(16, 20), *range(12, 16), 23, 24, 25, 26, 21, 22, 20]
+# By the number of a cell's nodes: VTK's type and its order of nodes by Exodus' order: corners, edges, faces, the centre.
+# VTK's pyramid has no node in the middle of its base.
+VTK_CELLS = {4: (VTK_TETRA, range(4)), 10: (VTK_QUADRATIC_TETRA, range(10)), 5: (VTK_PYRAMID, range(5)),
+             14: (VTK_QUADRATIC_PYRAMID, range(13)), 6: (VTK_WEDGE, range(6)), 8: (VTK_HEXAHEDRON, range(8)),
+             18: (VTK_BIQUADRATIC_QUADRATIC_WEDGE, [*range(9), 12, 13, 14, 9, 10, 11, 15, 16, 17]),
+             27: (VTK_TRIQUADRATIC_HEXAHEDRON, [*range(12), *range(16, 20), *range(12, 16), 23, 24, 25, 26, 21, 22, 20])}
 
 
 def require_screen():
@@ -49,11 +55,11 @@ def body(fields, frame, values, colors):
     points.SetData(numpy_to_vtk(fields.coordinates + fields.displacement(frame), deep=True))
     grid = vtkUnstructuredGrid()
     grid.SetPoints(points)
-    cells = vtkCellArray()
-    quadratic = fields.cells.shape[1] == 27
-    nodes = fields.cells[:, VTK_ORDER] if quadratic else fields.cells
-    cells.SetData(nodes.shape[1], numpy_to_vtkIdTypeArray(nodes.ravel(), deep=True))
-    grid.SetCells(VTK_TRIQUADRATIC_HEXAHEDRON if quadratic else VTK_HEXAHEDRON, cells)
+    counts = np.count_nonzero(fields.cells >= 0, axis=1)
+    grid.Allocate(len(counts))
+    for cell, count in zip(fields.cells, counts):
+        kind, order = VTK_CELLS[count]
+        grid.InsertNextCell(kind, len(order), cell[list(order)].tolist())
     grid.GetCellData().SetScalars(numpy_to_vtk(values, deep=True))
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputData(grid)

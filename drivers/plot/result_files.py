@@ -59,15 +59,34 @@ def read_summary(path):
     return summary
 
 
-# Corners of the sides of a hexahedron, in Exodus' order.
-HEX_SIDES = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 4, 7, 3], [0, 3, 2, 1], [4, 5, 6, 7]]
+# Corners of the sides of cells in space by their numbers of nodes, in Exodus' order.
+TETRAHEDRON = [[0, 1, 3], [1, 2, 3], [0, 3, 2], [0, 2, 1]]
+PYRAMID = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 3], [0, 3, 2, 1]]
+PRISM = [[0, 1, 4, 3], [1, 2, 5, 4], [0, 3, 5, 2], [0, 2, 1], [3, 4, 5]]
+HEXAHEDRON = [[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 4, 7, 3], [0, 3, 2, 1], [4, 5, 6, 7]]
+SIDES = {4: TETRAHEDRON, 10: TETRAHEDRON, 5: PYRAMID, 14: PYRAMID, 6: PRISM, 18: PRISM, 8: HEXAHEDRON, 27: HEXAHEDRON}
+
+
+def sides_of(plane, count):
+    """The sides of a cell with so many nodes: their corners; of a plane cell with the nodes between them."""
+    if not plane:
+        return SIDES[count]
+    corners = 3 if count in (3, 6) else 4
+    return [[k, (k + 1) % corners, *([k + corners] if count in (6, 9) else [])] for k in range(corners)]
+
+
+def joined_cells(blocks):
+    """One array of the cells of blocks, a row a cell; -1 stands behind the nodes of cells with fewer than others."""
+    most = max((cells.shape[1] for cells in blocks), default=0)
+    wide = [np.pad(cells, ((0, 0), (0, most - cells.shape[1])), constant_values=-1) for cells in blocks]
+    return np.concatenate(wide) if wide else np.zeros((0, 0), int)
 
 
 class Fields:
     """The mesh and the fields of fields.e, or of its series of one file a rank. Needs netCDF4.
 
     times: of the frames. dimension: 2 or 3. points: reference coordinates, a row a node. cells: the nodes of each cell,
-    a row a cell. mesh_nodes: for each node its number in the mesh, from 0. blocks and node_sets: numbers of cells and
+    a row a cell; -1 stands behind the nodes of cells with fewer than others. mesh_nodes: for each node its number in the mesh, from 0. blocks and node_sets: numbers of cells and
     of nodes by name; side_set_nodes: those of side sets. totals: the global variables of all frames, such as
     total_energy, by name. Nodes and cells are in the order of the mesh, whatever the number of ranks.
 
@@ -103,8 +122,9 @@ class Fields:
         self.points = gathered("points")[first]
         self.dimension = self.points.shape[1]
         starts = np.cumsum([0] + [len(part.node_ids) for part in self._parts])
-        cells = [place[start + part.cells] for start, part in zip(starts, self._parts) if len(part.cells)]
-        self.cells = np.concatenate(cells)[self._order["cell"]]
+        cells = [np.where(part.cells < 0, -1, place[start + part.cells])
+                 for start, part in zip(starts, self._parts) if len(part.cells)]
+        self.cells = joined_cells(cells)[self._order["cell"]]
         blocks = gathered("block_of_cell")[self._order["cell"]]
         self.blocks = {name: np.flatnonzero(blocks == name) for name in self._parts[0].blocks}
         def joined(kind):
@@ -213,7 +233,7 @@ class _Part:
         self._sizes = [sizes.get(f"num_el_in_blk{number}", 0) for number in range(1, len(self.blocks) + 1)]
         self.block_of_cell = np.repeat(np.array(self.blocks, object), self._sizes)
         connected = [self._data[f"connect{number}"][:] - 1 for number, size in enumerate(self._sizes, 1) if size]
-        self.cells = np.concatenate(connected) if connected else np.zeros((0, 0), int)
+        self.cells = joined_cells(connected)
         self.node_sets = {name: self._data[f"node_ns{number}"][:] - 1 for number, name in
                           enumerate(self._texts("ns_names"), 1) if f"node_ns{number}" in self._data.variables}
         self.side_sets = {name: self._side_nodes(number) for number, name in
@@ -227,9 +247,12 @@ class _Part:
         """The corners of the sides of a set, each once; nodes between them where a plane cell has them."""
         cells = self.cells[self._data[f"elem_ss{number}"][:] - 1]
         sides = self._data[f"side_ss{number}"][:] - 1
-        plane = self.points.shape[1] == 2
-        corners = [[k, (k + 1) % 4, *([k + 4] if cells.shape[1] == 9 else [])] for k in range(4)] if plane else HEX_SIDES
-        return np.unique(np.take_along_axis(cells, np.array(corners)[sides], 1)) if len(cells) else np.zeros(0, int)
+        plane, nodes = self.points.shape[1] == 2, [np.zeros(0, int)]
+        counts = np.count_nonzero(cells >= 0, axis=1)
+        for count in np.unique(counts):
+            for side, own in enumerate(sides_of(plane, count)):
+                nodes.append(cells[(counts == count) & (sides == side)][:, own].ravel())
+        return np.unique(np.concatenate(nodes))
 
     def _array(self, name, otherwise):
         return self._data[name][:] if name in self._data.variables else otherwise

@@ -5,8 +5,6 @@
 // relative, in L2.
 #include <fmt/format.h>
 
-#include <Thyra_MultiVectorStdOps.hpp>
-#include <Thyra_TpetraThyraWrappers.hpp>
 #include <Tpetra_Core.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
@@ -19,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/conjugate_gradients.hpp"
 #include "embedding/semi_discrete_tangent.hpp"
 #include "fem/cell_type.hpp"
 #include "fem/quadratic_elements.hpp"
@@ -32,7 +31,6 @@
 #include "solve/choice/linear_solver.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
 #include "solve/choice/problem_size.hpp"
-#include "solve/operator_preconditioner.hpp"
 
 namespace {
 
@@ -139,7 +137,7 @@ class Problem {
       for (std::size_t i = 0; i < from_surface.size(); ++i) view(i, 0) = -from_surface[i];
     }
     const double begin = now();
-    result.iterations = conjugate_gradients(*op, *m->getUnspecifiedPrecOp(), space, b, x);
+    result.iterations = ixos::bench::conjugate_gradients(*op, *m->getUnspecifiedPrecOp(), space, b, 1e-8, x);
     result.total = result.setup + now() - begin;
     std::vector<double> inside(u.size());
     model_.space().import(x, inside.data());
@@ -157,35 +155,6 @@ class Problem {
       u[static_cast<std::size_t>(dof)] =
           exact(&model_.mesh().coordinates[static_cast<std::size_t>(dof / 3 * 3)])[static_cast<std::size_t>(dof % 3)];
     return u;
-  }
-
-  static int conjugate_gradients(const ixos::Operator& a, const Thyra::LinearOpBase<double>& m,
-                                 const ixos::VectorSpace& space, const Vector& b, Vector& x) {
-    Vector r(b, Teuchos::Copy), z(b.getMap()), p(b.getMap()), ap(b.getMap());
-    const auto precondition = [&] {
-      using Extracted = ixos::MultiVector;
-      const Teuchos::RCP<const Extracted> known = Teuchos::rcpFromRef(r);
-      const Teuchos::RCP<Extracted> found = Teuchos::rcpFromRef(z);
-      const auto from = Thyra::createConstMultiVector(known, space);
-      const auto to = Thyra::createMultiVector(found, space);
-      Thyra::apply<double>(m, Thyra::NOTRANS, *from, to.ptr());
-    };
-    const double goal = 1e-8 * b.norm2();
-    precondition();
-    p.assign(z);
-    double rz = r.dot(z);
-    for (int k = 1; k <= 500; ++k) {
-      a.apply(p, ap);
-      const double alpha = rz / p.dot(ap);
-      x.update(alpha, p, 1.0);
-      r.update(-alpha, ap, 1.0);
-      if (r.norm2() <= goal) return k;
-      precondition();
-      const double next = r.dot(z);
-      p.update(1.0, z, next / rz);
-      rz = next;
-    }
-    return -1;
   }
 
   int order_;

@@ -1,6 +1,7 @@
-// Measures a residual, an assembled tangent, and W x as a matrix and matrix-free, for each unknown of a block with
-// hanging nodes, of two tied blocks, and of a block without ties, in turns: tie_times [divisions in 3D] [rounds]. The
-// ratio is that of the least times for each unknown to those of the block without ties.
+// Measures a residual, an assembled tangent, W x as a matrix and matrix-free, and a Newton iteration (residual,
+// tangent, CG with a kept preconditioner of MueLu to 1e-3), for each unknown of a block with hanging nodes, of two tied
+// blocks, and of a block without ties, in turns: tie_times [divisions in 3D] [rounds]. The ratio is that of the least
+// times for each unknown to those of the block without ties.
 #include <fmt/format.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -18,16 +19,21 @@
 #include <vector>
 
 #include "balance/tangent_operator.hpp"
+#include "bench/conjugate_gradients.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/joined_parts.hpp"
 #include "mesh/mortar/tied_surfaces.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/splitting/refine.hpp"
 #include "model/model.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
+#include "solve/choice/problem_size.hpp"
 
 namespace {
 
-constexpr std::array<const char*, 4> works{"residual", "assembled tangent", "product, matrix", "product, matrix-free"};
+constexpr std::array<const char*, 5> works{"residual", "assembled tangent", "product, matrix", "product, matrix-free",
+                                           "Newton iteration"};
 
 ixos::BoxShape block(int dimension, int divisions) {
   ixos::BoxShape shape;
@@ -75,23 +81,34 @@ class Body {
     in_ = std::make_unique<ixos::Vector>(matrix_->getDomainMap());
     out_ = std::make_unique<ixos::Vector>(matrix_->getRangeMap());
     in_->randomize();
+    balance_.evaluate(point());
+    balance_.sum(point(), nullptr, force_.data());
+    const auto b = in_->getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (std::size_t i = 0; i < b.extent(0); ++i) b(i, 0) = force_[i];
+    Teuchos::ParameterList list;
+    list.set("Linear Solver Type", "Belos").set("Preconditioner Type", "MueLu").set("Operator", "Assembled");
+    const ixos::LinearSolverFactory factory(ixos::completed_linear_solver(list, ixos::problem_size(model_)), &model_);
+    space_ = ixos::vector_space(model_.space().owned_map());
+    preconditioner_ = factory.preconditioner();
+    preconditioner_->compute(ixos::const_linear_op(Teuchos::RCP<const ixos::Operator>(matrix_), space_));
     least_.fill(std::numeric_limits<double>::infinity());
   }
 
   void work(std::size_t which) {
     const auto start = std::chrono::steady_clock::now();
-    if (which == 0) {
+    if (which == 0 || which == 4) {
       balance_.evaluate(point());
       balance_.sum(point(), nullptr, force_.data());
-    } else if (which == 1) {
+    }
+    if (which == 1 || which == 4) {
       const auto values = matrix_->getLocalMatrixHost().values;
       std::fill_n(values.data(), values.extent(0), 0.0);
       assemble(values.data());
-    } else if (which == 2) {
-      matrix_->apply(*in_, *out_);
-    } else {
-      tangent_.apply(*in_, *out_);
     }
+    if (which == 2) matrix_->apply(*in_, *out_);
+    if (which == 3) tangent_.apply(*in_, *out_);
+    if (which == 4)
+      ixos::bench::conjugate_gradients(*matrix_, *preconditioner_->getUnspecifiedPrecOp(), space_, *in_, 1e-3, *out_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     least_[which] = std::min(least_[which], seconds);
   }
@@ -118,6 +135,8 @@ class Body {
   ixos::TangentOperator tangent_;
   Teuchos::RCP<ixos::CrsMatrix> matrix_;
   std::unique_ptr<ixos::Vector> in_, out_;
+  ixos::VectorSpace space_;
+  Teuchos::RCP<ixos::OperatorPreconditioner> preconditioner_;
   std::array<double, works.size()> least_;
 };
 

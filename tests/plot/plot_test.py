@@ -11,6 +11,7 @@ from PIL import Image
 
 sys.dont_write_bytecode = True
 from scripts import PLOT, ScriptTest, simulate  # noqa: E402 (sets the path to the others)
+import result_files  # noqa: E402
 from exodus import Fields  # noqa: E402
 from results import Run  # noqa: E402
 
@@ -18,6 +19,11 @@ SHORT = ["Time Integrator/Time Step Control/Final Time=0.05", "Output/Fields Int
 CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Mesh/Box/Lengths={2,2,2}",
         "Mesh/Box/Divisions={2,2,2}", "Interactions/Wall/Side Set=bottom",
         "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=1"]
+
+
+# Hexahedra, pyramids and tetrahedra of second order, 1 above the wall.
+MIXED = ["Mesh/Type=Gmsh", f"Mesh/Gmsh/File={PLOT.parents[1] / 'tests' / 'io' / 'gmsh' / 'mixed-2.msh'}", "Mesh/Map/Z=z+1",
+         *CUBE[5:]]
 
 
 class PlotTest(ScriptTest):
@@ -95,6 +101,33 @@ class PlotTest(ScriptTest):
                 ends = [np.sort(np.round(f.displacement(frame)[:, 1], 9)) for f in (one, two)]
                 np.testing.assert_allclose(ends[0].max(), ends[1].max(), atol=1e-9)
                 np.testing.assert_allclose(ends[0].min(), ends[1].min(), atol=1e-8)
+
+    def test_cells_of_several_shapes(self):
+        simulate(self.folder / "mixed", MIXED)
+        fields = result_files.Fields(self.folder / "mixed")
+        counts = np.count_nonzero(fields.cells >= 0, axis=1)
+        self.assertEqual(sorted(set(counts)), [10, 14, 27])
+        self.assertEqual(fields.cells.shape[1], 27)
+        own = {name: len(cells) for name, cells in fields.blocks.items()}
+        self.assertEqual(own, {"body": 24, "body_2": 1, "body_3": 1})
+        bottom = fields.points[fields.side_set_nodes["bottom"]]
+        np.testing.assert_allclose(bottom[:, 2], 1, atol=1e-12)
+        self.assertEqual(bottom[:, 0].max(), 2)
+        simulate(self.folder / "triangles", ["Mesh/Map/Z=", "Mesh/Type=Gmsh",
+                                             f"Mesh/Gmsh/File={str(PLOT.parents[1])}/tests/io/gmsh/triangles.msh",
+                                             "Mesh/Cell Order=2", "Mesh/Sets/bottom/Normal={0,-1}", "Mesh/Map/Y=y+1",
+                                             *CUBE[5:]])
+        fields = Fields(self.folder / "triangles")
+        outlines = fields.polygons(0)
+        self.assertEqual({len(outline) for outline in outlines}, {6})
+        area = sum(0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) for x, y in (o.T for o in outlines))
+        self.assertAlmostEqual(area, 1, delta=1e-12)
+
+    @unittest.skipUnless(os.environ.get("DISPLAY") or shutil.which("xvfb-run"), "neither a display nor xvfb-run")
+    def test_a_picture_of_cells_of_several_shapes(self):
+        simulate(self.folder / "drawn", MIXED)
+        png, = self.draw("fields.py", self.folder / "drawn", "--frames", 2)
+        self.assert_picture(png, "PNG", 1000, 1600)
 
     def test_energy_density_sums_to_the_elastic_energy(self):
         fields, run = Fields(self.ball), Run(self.ball)

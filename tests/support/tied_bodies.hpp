@@ -31,7 +31,9 @@ using Displacement = std::function<double(const double* x, std::size_t i)>;
 Displacement harmonic(int dimension);
 
 /// The integral of the squared error of a displacement of a linear body, the unit square or cube, over that of the
-/// displacement. Conditions prescribe it on the outside, but for tied nodes.
+/// displacement. Conditions prescribe it on the outside, but for tied nodes. The second one has another linear
+/// material.
 double squared_error(const Mesh& mesh, const Displacement& exact);
+double squared_error(const Mesh& mesh, const Displacement& exact, const Material& material);
 
 }  // namespace ixos::test

@@ -47,9 +47,11 @@ void add_mesh(List& list) {
            "Nodes on the axis stay on it. A mesh of three dimensions ignores Plane Strain.",
            one_of({"Plane Strain", axisymmetric_geometry}));
   list.set(cell_order, 1,
-           "Order of the cells. 1: linear cells, and those of a file as they are. 2: quadratic cells, of 9 nodes in 2D "
-           "and 27 in 3D; linear ones get nodes in the middle of their edges, faces and insides. In the Disk they "
-           "follow the circle, other meshes keep their shape; the Map moves the new nodes, too.",
+           "Order of the cells. 1: linear cells, and those of a file as they are. 2: quadratic cells; linear "
+           "quadrilaterals and hexahedra get nodes in the middle of their edges, faces and insides (9 and 27), other "
+           "cells in the middle of their edges and, for Mean Dilatation and Central Difference, of triangles and "
+           "insides. In the Disk they follow the circle, other meshes keep their shape; the Map moves the new nodes, "
+           "too.",
            between(1, 2));
   declare_refinement(
       list.sublist("Refine", false,
