@@ -1,5 +1,6 @@
 /// Points of the search trees of Boost.Geometry.
 #pragma once
+#include <boost/geometry/core/cs.hpp>
 #include <boost/geometry/geometries/point.hpp>
 
 #include "base/vec.hpp"

@@ -17,7 +17,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/conjugate_gradients.hpp"
 #include "embedding/semi_discrete_tangent.hpp"
 #include "fem/cell_type.hpp"
 #include "fem/quadratic_elements.hpp"
@@ -31,6 +30,7 @@
 #include "solve/choice/linear_solver.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
 #include "solve/choice/problem_size.hpp"
+#include "support/conjugate_gradients.hpp"
 
 namespace {
 
@@ -137,7 +137,7 @@ class Problem {
       for (std::size_t i = 0; i < from_surface.size(); ++i) view(i, 0) = -from_surface[i];
     }
     const double begin = now();
-    result.iterations = ixos::bench::conjugate_gradients(*op, *m->getUnspecifiedPrecOp(), space, b, 1e-8, x);
+    result.iterations = ixos::test::conjugate_gradients(*op, *m->getUnspecifiedPrecOp(), space, b, 1e-8, x);
     result.total = result.setup + now() - begin;
     std::vector<double> inside(u.size());
     model_.space().import(x, inside.data());

@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "balance/tangent_operator.hpp"
-#include "bench/conjugate_gradients.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/joined_parts.hpp"
 #include "mesh/mortar/tied_surfaces.hpp"
@@ -29,6 +28,7 @@
 #include "solve/choice/linear_solver.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
 #include "solve/choice/problem_size.hpp"
+#include "support/conjugate_gradients.hpp"
 
 namespace {
 
@@ -108,7 +108,7 @@ class Body {
     if (which == 2) matrix_->apply(*in_, *out_);
     if (which == 3) tangent_.apply(*in_, *out_);
     if (which == 4)
-      ixos::bench::conjugate_gradients(*matrix_, *preconditioner_->getUnspecifiedPrecOp(), space_, *in_, 1e-3, *out_);
+      ixos::test::conjugate_gradients(*matrix_, *preconditioner_->getUnspecifiedPrecOp(), space_, *in_, 1e-3, *out_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     least_[which] = std::min(least_[which], seconds);
   }

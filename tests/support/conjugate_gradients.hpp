@@ -6,7 +6,7 @@
 
 #include "solve/operator_preconditioner.hpp"
 
-namespace ixos::bench {
+namespace ixos::test {
 
 /// Solves A x = b from x = 0 to |r| <= tolerance |b| with a preconditioner. Returns the number of iterations, -1 beyond
 /// 500.
@@ -39,4 +39,4 @@ inline int conjugate_gradients(const Operator& a, const Thyra::LinearOpBase<doub
   return -1;
 }
 
-}  // namespace ixos::bench
+}  // namespace ixos::test
