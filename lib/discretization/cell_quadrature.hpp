@@ -10,7 +10,8 @@
 namespace ixos {
 
 /// Returns the rule of a block's cells, with `points` along each direction, see element_rule(); quadratic elements take
-/// one more. 0 stands for the element's own rule. For an enriched element the block gives the number along the contact
+/// one more. 0 stands for the element's own rule, as do 1 and 2 for triangles, tetrahedra, prisms and pyramids, which
+/// need that many points at least. For an enriched element the block gives the number along the contact
 /// side.
 template <class Element>
 QuadratureRule<Element::dimension> cell_rule(const LocalBlock& block, int points) {
@@ -18,6 +19,9 @@ QuadratureRule<Element::dimension> cell_rule(const LocalBlock& block, int points
     auto counts = Element::default_points;
     for (std::size_t d = 0; block.points > 0 && d + 1 < counts.size(); ++d) counts[d] = block.points;
     return product_rule(counts);
+  } else if constexpr (HasRule<Element>::value) {
+    return points > 2 ? element_rule<Element>(points + CellTraits<Element>::order - 1)
+                      : own_rule<Element>(block.high_rule);
   } else {
     return points > 0 ? element_rule<Element>(points + CellTraits<Element>::order - 1)
                       : own_rule<Element>(block.high_rule);

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/small_matrix.hpp"
 #include "fem/jacobian.hpp"
+#include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 
 namespace ixos {
@@ -40,6 +41,11 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
 
   const auto scale = cell_scales<Element>(block, cell);
   std::array<double, D> xi{};
+  if constexpr (HasRule<Element>::value) {  // whose origin is a corner
+    constexpr std::size_t corners = CellTraits<Element>::Corners::nodes;
+    for (std::size_t a = 0; a < corners; ++a)
+      for (std::size_t d = 0; d < D; ++d) xi[d] += Element::place(a)[d] / static_cast<double>(corners);
+  }
   std::array<double, N> value;
   std::array<std::array<double, D>, N> gradient;
   for (int iteration = 0; iteration < 30; ++iteration) {

@@ -19,10 +19,12 @@ namespace {
 /// Returns the mesh as files have it: cells without bubbles, blocks of different names.
 Mesh as_drawn(Mesh mesh) {
   bool dropped = false;
-  std::set<std::string> names;
+  std::set<std::string> taken, named;
+  for (const ElementBlock& block : mesh.blocks) taken.insert(block.name);
   for (ElementBlock& block : mesh.blocks) {
     const std::string own = block.name;
-    for (int k = 2; !names.insert(block.name).second; ++k) block.name = fmt::format("{}_{}", own, k);
+    if (!named.insert(own).second)
+      for (int k = 2; !taken.insert(block.name).second; ++k) block.name = fmt::format("{}_{}", own, k);
     const CellType drawn = cell_info(block.type).drawn;
     if (drawn == block.type) continue;
     const int all = nodes_per_cell(block.type), kept = nodes_per_cell(drawn), cells = block.cells();

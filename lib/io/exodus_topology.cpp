@@ -14,7 +14,9 @@ bool begins(const std::string& text, const char* beginning) { return text.rfind(
 
 }  // namespace
 
-bool is_shell(const ExodusBlock& block) { return begins(block.topology, "SHELL"); }
+bool is_shell(const ExodusBlock& block) {
+  return begins(block.topology, "SHELL") || begins(block.topology, "TRISHELL");
+}
 
 int first_edge(const ExodusBlock& block, int file_dimension) {
   return file_dimension == 3 && (is_shell(block) || begins(block.topology, "TRI")) ? 2 : 0;

@@ -116,10 +116,7 @@ void FileCellReader::add(const FileCells& cells, const std::vector<int>& nodes, 
   std::vector<int> cell(cells.order.size());
   for (std::size_t first = 0; first < nodes.size(); first += cell.size()) {
     for (std::size_t a = 0; a < cell.size(); ++a) cell[a] = nodes[first + static_cast<std::size_t>(cells.order[a])];
-    if (cells.nodes() == nodes_per_cell(cells.type))
-      block.nodes.insert(block.nodes.end(), cell.begin(), cell.end());
-    else
-      middles_.complete(cell.data(), cells.nodes(), cells.type, block.nodes);
+    middles_.complete(cell.data(), cells.nodes(), cells.type, block.nodes);
   }
 }
 

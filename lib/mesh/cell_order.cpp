@@ -123,7 +123,8 @@ void require_one_order(const Mesh& mesh) {
 }
 
 void require_shared_middles(const Mesh& mesh) {
-  if (mesh.linear_nodes >= 0) return;
+  const auto has_bubbles = [](const ElementBlock& block) { return cell_info(block.type).bubbles; };
+  if (mesh.linear_nodes >= 0 && std::none_of(mesh.blocks.begin(), mesh.blocks.end(), has_bubbles)) return;
   const MiddleConflict found = conflict_of_middles(mesh);
   if (found.corner >= 0)
     throw InputError(fmt::format("node {} is in the middle of an edge or a face of element {}, but a corner of another",

@@ -10,7 +10,7 @@ namespace ixos {
 bool needs_high_rule(const Mesh& mesh, const ElementBlock& block) {
   const CellInfo& info = cell_info(block.type);
   if (is_cube(block.type) || info.order == 1) return false;
-  if (mesh.axisymmetric) return true;
+  if (info.dimension == 2) return mesh.axisymmetric;
   const auto d = static_cast<std::size_t>(mesh.dimension);
   for (int cell = 0; cell < block.cells(); ++cell) {
     const auto place = [&](std::size_t a) {

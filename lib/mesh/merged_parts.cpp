@@ -124,7 +124,7 @@ struct FreeSide {
 FreeSide free_side(const Mesh& mesh, const Side& side, int part) {
   FreeSide own{
       part, nodes_of_side(mesh, side), {}, centre_of(mesh, sorted_corners(mesh, side)), outward_normal(mesh, side)};
-  for (std::size_t k = 0; k < (mesh.dimension == 2 ? 2U : 4U); ++k)
+  for (std::size_t k = 0; k < count_of(corners_of(mesh, side)); ++k)
     own.corners.push_back(node_place(mesh, own.nodes[k]));
   return own;
 }

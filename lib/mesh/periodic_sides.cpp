@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/geometry/algorithms/distance.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 #include <iterator>
+#include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/vec.hpp"
 #include "mesh/cell_place.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/region.hpp"
 #include "mesh/selection.hpp"
@@ -28,6 +32,27 @@ Vec<3> middle_of(const Mesh& mesh, const std::set<int>& nodes) {
   Vec<3> sum{};
   for (const int node : nodes) sum = sum + 1 / static_cast<double>(nodes.size()) * node_place(mesh, node);
   return sum;
+}
+
+/// Throws InputError if sides of one set have no partner in the other although their nodes have: triangles may be cut
+/// along other diagonals.
+void require_same_sides(const Mesh& mesh, const SideSet& secondary, const SideSet& primary,
+                        const std::map<int, int>& partner) {
+  std::set<SideCorners> there;
+  for (const Side& side : primary.sides) there.insert(sorted_corners(mesh, side));
+  for (const Side& side : secondary.sides) {
+    SideCorners corners = corners_of(mesh, side);
+    const std::string place = point_in_words(centre_of(mesh, corners), mesh.dimension);
+    for (int& node : corners)
+      if (node >= 0) node = partner.at(node);
+    std::sort(corners.begin(), corners.end());
+    if (there.count(corners) == 0)
+      throw InputError(
+          fmt::format("the side at {} of the side set \"{}\" has no partner in \"{}\", though its nodes have: its "
+                      "triangles are cut "
+                      "along another diagonal. Periodic sides have the same mesh",
+                      place, secondary.name, primary.name));
+  }
 }
 
 }  // namespace
@@ -51,6 +76,7 @@ void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& 
   const bg::index::rtree<PlacedNode, bg::index::rstar<16>> tree(placed);
   const double reach = tolerance > 0 ? tolerance : place_tolerance(mesh);
   std::set<int> tied;
+  std::map<int, int> partner;  // of the nodes of the secondary sides
   for (const Tie& tie : mesh.ties) tied.insert(tie.node);
   for (const int node : followers) {
     const Vec<3> x = node_place(mesh, node), wanted = x + translation;
@@ -63,8 +89,10 @@ void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& 
                       "L0 away, and the tolerance is {:.3g} L0. Periodic sides have the same mesh, and are not turned",
                       node + 1, secondary, point_in_words(x, mesh.dimension), primary,
                       point_in_words(wanted, mesh.dimension), off, reach));
+    partner[node] = nearest.front().second;
     if (tied.count(node) == 0) mesh.ties.push_back({node, {nearest.front().second}, {1.0}, false});
   }
+  require_same_sides(mesh, side_set_named(mesh, secondary), side_set_named(mesh, primary), partner);
   for (const std::set<int>& nodes : {followers, leaders})
     mesh.nodes_of_tied_sides.insert(mesh.nodes_of_tied_sides.end(), nodes.begin(), nodes.end());
 }

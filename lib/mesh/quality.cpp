@@ -33,9 +33,11 @@ void check(const std::vector<double>& coordinates, const Block& block, const Nam
       const double det = determinant(jacobian<D>(coordinates, &block.nodes[cell_entry(cell, N)], scale, gradient));
       if (!(det > 0))
         throw InputError(
-            fmt::format("{}: inverted or degenerate (Jacobian {:.3g}); its nodes must be ordered counter-clockwise, in "
-                        "a hexahedron the bottom face first",
-                        name(cell), det));
+            fmt::format("{}: inverted or degenerate (Jacobian {:.3g}); {}", name(cell), det,
+                        HasRule<Element>::value && CellTraits<Element>::order == 2
+                            ? "an edge is bent too much; make the mesh finer there, optimise its cells (gmsh: "
+                              "Mesh.HighOrderOptimize = 1), or give linear cells and Cell Order 2"
+                            : "its nodes must be ordered counter-clockwise, in a hexahedron the bottom face first"));
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "fem/cell_info.hpp"
 #include "mesh/meridian.hpp"
 #include "model/nodal_moment.hpp"
 #include "rule/rule.hpp"
@@ -127,11 +128,54 @@ std::vector<double> InteractionGroup::mean(SurfaceNumber number) const {
   return means;
 }
 
+namespace {
+
+bool has_vanishing_corners(const LocalBlock& block) {
+  const CellInfo& info = cell_info(block.type);
+  return info.dimension == 3 && info.order == 2 && !is_cube(block.type) && !info.bubbles && block.global_cells > 0;
+}
+
+/// Sets means, `count` numbers a node, at the corners of triangles of six nodes, where int N_a dA vanishes: there they
+/// are those of the means in the middle of the edges beside them. `area`: int N_a dA by node. Collective.
+void take_corners_from_edges(const LocalMesh& mesh, const DofSpace& space, const std::vector<double>& area,
+                             std::size_t count, std::vector<double>& means) {
+  if (std::none_of(mesh.blocks.begin(), mesh.blocks.end(), has_vanishing_corners)) return;
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const std::size_t nodes = area.size();
+  std::vector<double> areas(nodes * d, 0.0), ghosted(nodes * d, 0.0), sums(nodes * d, 0.0), edges(nodes, 0.0);
+  for (std::size_t node = 0; node < nodes; ++node) {
+    areas[node * d] = area[node];
+    std::copy_n(&means[node * count], count, &ghosted[node * d]);
+  }
+  space.update_ghosts(areas.data());
+  space.update_ghosts(ghosted.data());
+  for (const LocalBlock& block : mesh.blocks) {
+    if (!has_vanishing_corners(block)) continue;
+    const CellInfo& info = cell_info(block.type);
+    for (int cell = 0; cell < block.cells(); ++cell)
+      for (std::size_t a = 0; a < info.node_corners.size(); ++a) {
+        const auto middle = static_cast<std::size_t>(block.nodes[cell_entry(cell, info.nodes, static_cast<int>(a))]);
+        if (info.node_corners[a].size() != 2 || !(areas[middle * d] > 0)) continue;
+        for (const int own : info.node_corners[a]) {
+          const auto corner = static_cast<std::size_t>(block.nodes[cell_entry(cell, info.nodes, own)]);
+          edges[corner] += 1;
+          for (std::size_t i = 0; i < count; ++i) sums[corner * d + i] += ghosted[middle * d + i];
+        }
+      }
+  }
+  for (std::size_t node = 0; node < nodes; ++node)
+    for (std::size_t i = 0; i < count && edges[node] > 0; ++i)
+      means[node * count + i] = sums[node * d + i] / edges[node];
+}
+
+}  // namespace
+
 std::vector<double> InteractionGroup::over_measure(std::vector<double> force) const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
   const std::vector<double> area = measure();
   for (std::size_t i = 0; i < force.size(); ++i)
     force[i] = area[i / d] > 0 && !mesh_.is_derivative(i / d) ? -force[i] / area[i / d] : 0.0;
+  take_corners_from_edges(mesh_, space_, area, d, force);
   return force;
 }
 
@@ -142,6 +186,7 @@ void InteractionGroup::divide_by_measure(std::vector<double>& sums) const {
   const std::vector<double> area = measure();
   for (std::size_t node = 0; node < sums.size(); ++node)
     sums[node] = area[node] > 0 && !mesh_.is_derivative(node) ? sums[node] / area[node] : 0.0;
+  take_corners_from_edges(mesh_, space_, area, 1, sums);
 }
 
 std::vector<double> InteractionGroup::measure() const {

@@ -77,6 +77,10 @@ PlaceFactor checked_factor(const SurfaceInteraction& interaction, int dimension,
   };
 }
 
+std::size_t corners_of_side(const LocalMesh& mesh, const LocalSide& side) {
+  return side_nodes(corner_type(mesh.blocks[static_cast<std::size_t>(side.block)].type), side.side).size();
+}
+
 /// Returns the first corner of the surface whose factor is not allowed, in words; empty if all are.
 std::string bad_nodal_factor(const SurfaceInteraction& interaction, const LocalMesh& mesh, std::size_t set) {
   const std::vector<double>& factor = interaction.nodal_factor;
@@ -85,7 +89,7 @@ std::string bad_nodal_factor(const SurfaceInteraction& interaction, const LocalM
     return fmt::format("the nodal factor of the surface \"{}\" has {} numbers, but this rank has {} nodes",
                        interaction.side_set, factor.size(), mesh.nodes());
   for (const LocalSide& side : mesh.side_sets[set])
-    for (std::size_t a = 0; a < (mesh.dimension == 2 ? 2U : 4U); ++a) {
+    for (std::size_t a = 0; a < corners_of_side(mesh, side); ++a) {
       const auto node = static_cast<std::size_t>(side.nodes[a]);
       if (!std::isfinite(factor[node]) || factor[node] < 0)
         return fmt::format(

@@ -127,7 +127,7 @@ Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& 
 }
 
 py::array corners(const Mesh& mesh, const std::vector<Side>& sides) {
-  std::size_t most = 2;
+  auto most = static_cast<std::size_t>(mesh.dimension);
   for (const Side& side : sides) most = std::max(most, count_of(corners_of(mesh, side)));
   std::vector<int> result;
   for (const Side& side : sides) {

@@ -22,6 +22,7 @@
 #include "support/comparison.hpp"
 #include "support/derivative.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 #include "support/simplices.hpp"
 #include "support/solids.hpp"
@@ -185,6 +186,21 @@ TEST_P(SimplexFamilies, TheTangentIsTheDerivativeOfTheForce) {
   }
 }
 
+/// A material whose points are those of quadrilaterals has those that the cells need, also with one point a direction.
+TEST_P(SimplexFamilies, TwoPointsADirectionAreTheCellsOwn) {
+  if (GetParam().kind.find("quads") == 0 || GetParam().kind.find("hexahedra") == 0) return;
+  const auto energy = [&](int points) {
+    Material material = test::elastic(neo_hooke, 0.3);
+    material.points = points;
+    const auto own = test::model_of(body(GetParam(), Shape::Curved), material, Inertia::None);
+    const Values u = test::smooth_field(*own, 0.1);
+    return StateReport(*own, Place{u.data()}).energy(Part::Elastic);
+  };
+  EXPECT_EQ(energy(2), energy(0));
+  EXPECT_EQ(energy(1), energy(0));
+  EXPECT_NE(energy(3), energy(0));
+}
+
 /// A surface above a wall: the energy per area is that of the gap, the force its slope.
 TEST_P(SimplexFamilies, TheBottomFeelsAWallAsAPlaneDoes) {
   const auto own = model();
@@ -197,6 +213,11 @@ TEST_P(SimplexFamilies, TheBottomFeelsAWallAsAPlaneDoes) {
   const StateReport report(*own, Place{u.data()});
   const Pack gap = 0.3;
   EXPECT_NEAR(report.energy(Part::Interaction), 2 * wall.law->energy(gap)[0], 1e-12);
+  const Values traction = test::ReportAt(*own, u.data()).interaction_traction();
+  for (std::size_t node = 0; node < static_cast<std::size_t>(own->mesh().owned_nodes); ++node) {
+    const bool below = own->mesh().coordinates[node * d() + d() - 1] < 0.3 + 1e-9;
+    EXPECT_NEAR(traction[node * d() + d() - 1], below ? wall.law->traction(gap)[0] : 0.0, 1e-11) << node;
+  }
   double force = 0;
   const Values forces = report.nodal_force(Part::Interaction);
   for (std::size_t k = d() - 1; k < static_cast<std::size_t>(own->space().owned()); k += d()) force += forces[k];

@@ -5,6 +5,7 @@
 
 #include "fem/cell_info.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "scene/explain/explanation.hpp"
 #include "scene/simulation.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
@@ -69,6 +70,8 @@ TEST(SimplexSceneTest, TheNumberOfNodesFollowsFromOrderFormulationAndScheme) {
   EXPECT_EQ(found(scene(1, "Newmark"), brick()), "Hex8 Pyr5 Tet4");
   EXPECT_EQ(found(scene(2, "Newmark"), brick()), "Hex27 Pyr14 Tet10");
   EXPECT_EQ(found(scene(2, "Newmark", dilatation), brick()), "Hex27 Pyr19 Tet15");
+  const Simulation rich(scene(2, "Newmark", dilatation), plate(), test::world());
+  expect_contains(explain(rich), "Cells: 16 Tri7 (with nodes in triangles and insides, for Mean Dilatation");
 }
 
 TEST(SimplexSceneTest, AllStagesHaveTheCellsThatOneOfThemNeeds) {
@@ -82,12 +85,12 @@ TEST(SimplexSceneTest, AllStagesHaveTheCellsThatOneOfThemNeeds) {
   EXPECT_EQ(types(simulation), "Tri7");
 }
 
-TEST(SimplexSceneTest, CellsOfConstantStrainAreWarnedOf) {
+TEST(SimplexSceneTest, LinearCellsAreWarnedOf) {
   const auto warned = [](int order) {
     const Simulation simulation(scene(order, "Newmark"), plate(), test::world());
     const auto& all = simulation.warnings();
     return std::any_of(all.begin(), all.end(), [](const Warning& warning) {
-      return warning.message.find("the strain of Tri3 cells is constant") != std::string::npos;
+      return warning.message.find("linear Tri3 cells are too stiff in bending") != std::string::npos;
     });
   };
   EXPECT_TRUE(warned(1));

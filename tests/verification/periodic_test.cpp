@@ -1,9 +1,11 @@
 // Bodies with periodic sides: a wave that runs through them, and pressure without lateral strain.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "material/elastic_law.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/periodic_sides.hpp"
 #include "mesh/selection.hpp"
@@ -14,6 +16,7 @@
 #include "support/comparison.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
+#include "support/simplices.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
 
@@ -114,6 +117,29 @@ TEST(PeriodicTest, SidesThatDoNotFitAreRefusedWithNamesAndPlaces) {
                           make_periodic(mesh, "right", "left", 0);
                         }),
                         "has no partner in \"left\"");
+}
+
+/// A cube of five tetrahedra cuts opposite faces along crossing diagonals, one of six along the same.
+TEST(PeriodicTest, TrianglesOfPeriodicSidesHaveTheSameDiagonals) {
+  Mesh cube = bar(3, 1, 1);
+  Mesh six = test::split_cells(cube, "tetrahedra");
+  EXPECT_NO_THROW(make_periodic(six, "left", "right", 0));
+  BoxShape shape;
+  shape.dimension = 3;
+  Mesh five = test::split_cells(box(shape), "tetrahedra");
+  const std::vector<int> n(box(shape).blocks[0].nodes);
+  five.blocks[0].nodes.clear();
+  for (const auto& cell : {std::array{0, 1, 3, 4}, {1, 2, 3, 6}, {4, 6, 5, 1}, {4, 7, 6, 3}, {1, 3, 4, 6}})
+    for (const int a : cell) five.blocks[0].nodes.push_back(n[static_cast<std::size_t>(a)]);
+  SideSet left{"left", {}}, right{"right", {}};
+  for (const Side& side : boundary_sides(five)) {
+    const double x = centre_of(five, corners_of(five, side))[0];
+    if (x < 1e-9) left.sides.push_back(side);
+    if (x > 1 - 1e-9) right.sides.push_back(side);
+  }
+  five.side_sets = {left, right};
+  test::expect_contains(test::refusal([&] { make_periodic(five, "left", "right", 0); }),
+                        "its triangles are cut along another diagonal");
 }
 
 TEST(PeriodicTest, LoopsAreRefusedWhenRanksTakeTheirParts) {

@@ -218,6 +218,9 @@ ContactElement fitting_element(const Mesh& mesh, const SideSet& set, ContactElem
   for (const Side& side : set.sides) {
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
     const std::string where = fmt::format("side set \"{}\", block \"{}\"", set.name, block.name);
+    if (!is_cube(block.type) && asked != ContactElement::Q1C1 && asked != ContactElement::Q2C2)
+      throw InputError(where +
+                       ": only quadrilaterals and hexahedra have enriched sides; leave out the contact element");
     if (!is_quadratic(block.type) && of_quadratic)
       throw InputError(where +
                        ": Q2C2 and Q2C4 are contact elements of quadratic cells, and these cells are linear; choose "

@@ -159,7 +159,10 @@ double extent_of(const Mesh& mesh, const SideSet& set, const Point& normal) {
 
 double mean_face_length(const Mesh& mesh, const SideSet& set) {
   double measure = 0;
-  for (const Side& side : set.sides) measure += measure_of(mesh, side) / static_cast<double>(set.sides.size());
+  for (const Side& side : set.sides) {
+    const bool is_triangle = mesh.dimension == 3 && count_of(corners_of(mesh, side)) == 3;  // half of a square's face
+    measure += (is_triangle ? 2 : 1) * measure_of(mesh, side) / static_cast<double>(set.sides.size());
+  }
   return mesh.dimension == 2 ? measure : std::sqrt(measure);
 }
 

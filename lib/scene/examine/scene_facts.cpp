@@ -117,8 +117,8 @@ BodyBending body_bending(const Material& material, const Mesh& mesh, const std::
   own.cells = typical_bending(mesh, query);
   for (const ElementBlock& block : mesh.blocks)
     if (const CellInfo& info = cell_info(block.type);
-        block.name == material.block && info.constant_strain && block.cells() > 0)
-      own.constant_strain = info.name;
+        block.name == material.block && info.order == 1 && !is_cube(block.type) && block.cells() > 0)
+      own.stiff_cells = info.name;
   return own;
 }
 

@@ -61,10 +61,10 @@ constexpr double nearly_incompressible = 0.45;
 
 /// The linear cells of one body.
 struct BodyBending {
-  CellBending cells{};            ///< of Standard cells of a nearly incompressible body along all directions
-  double poissons_ratio = 0;      ///< at rest
-  bool is_volumetric = false;     ///< the cells are Standard, and the body is nearly incompressible
-  std::string constant_strain{};  ///< the type of cells whose strain is constant; empty: there are none
+  CellBending cells{};         ///< of Standard cells of a nearly incompressible body along all directions
+  double poissons_ratio = 0;   ///< at rest
+  bool is_volumetric = false;  ///< the cells are Standard, and the body is nearly incompressible
+  std::string stiff_cells{};   ///< type of linear cells that are no quadrilaterals or hexahedra; empty: none
 };
 
 /// A surface of two bodies with Smoothing Spline in space, with edges as SideGrid::OpenCreases.

@@ -257,16 +257,16 @@ Message cells_that_lock(const Facts& facts) {
   return "";
 }
 
-/// Linear triangles and tetrahedra.
-Message cells_of_constant_strain(const Facts& facts) {
+/// Linear triangles, tetrahedra, prisms and pyramids.
+Message linear_simplices(const Facts& facts) {
   for (std::size_t i = 0; i < facts.bending.size(); ++i) {
     const BodyBending& own = facts.bending[i];
-    if (own.constant_strain.empty()) continue;
+    if (own.stiff_cells.empty()) continue;
     return fmt::format(
-        "Materials/{}: the strain of {} cells is constant: they are too stiff in bending, and from a Poisson's ratio "
-        "of "
-        "0.4 on (it is {:.4g}) in other deformations, too; use Cell Order 2",
-        facts.numbers.bodies[i].name, own.constant_strain, own.poissons_ratio);
+        "Materials/{}: linear {} cells are too stiff in bending, and with a Poisson's ratio from 0.4 on (it is {:.4g}) "
+        "in "
+        "other deformations, too; use Cell Order 2",
+        facts.numbers.bodies[i].name, own.stiff_cells, own.poissons_ratio);
   }
   return "";
 }
@@ -340,7 +340,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"bond", bond_that_never_forms},
     {"bending", no_way_to_bend},
     {"locking", cells_that_lock},
-    {"constant strain", cells_of_constant_strain},
+    {"linear simplices", linear_simplices},
     {"friction of one law", friction_of_one_law},
     {"no friction", oblique_pull_without_friction},
 };

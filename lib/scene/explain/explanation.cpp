@@ -1,11 +1,14 @@
 #include "scene/explain/explanation.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/pack.hpp"
+#include "fem/cell_info.hpp"
 #include "interaction/catalogue.hpp"
 #include "interaction/gap_law.hpp"
 #include "material/elastic_law.hpp"
@@ -45,6 +48,23 @@ std::string branches_in_words(const Material& material) {
       material.history_update == HistoryUpdate::BackwardEuler ? "backward Euler" : "the midpoint");
 }
 
+/// Returns the types of the cells and their numbers if others than quadrilaterals and hexahedra are among them.
+std::string cell_types(const LocalMesh& mesh) {
+  std::map<CellType, long long> counts;
+  for (const LocalBlock& block : mesh.blocks)
+    if (block.global_cells > 0) counts[block.type] += block.global_cells;
+  if (std::all_of(counts.begin(), counts.end(), [](const auto& own) { return is_cube(own.first); })) return "";
+  std::vector<std::string> words;
+  bool bubbles = false;
+  for (const auto& [type, count] : counts) {
+    words.push_back(fmt::format("{} {}", count, cell_info(type).name));
+    bubbles = bubbles || cell_info(type).bubbles;
+  }
+  return fmt::format(
+      "Cells: {}{}\n", fmt::join(words, ", "),
+      bubbles ? " (with nodes in triangles and insides, for Mean Dilatation or for explicit steps)" : "");
+}
+
 std::string bodies(const Simulation& simulation) {
   const LocalMesh& mesh = simulation.model().mesh();
   std::string text =
@@ -55,6 +75,7 @@ std::string bodies(const Simulation& simulation) {
                   mesh.global_nodes + mesh.global_tied,
                   mesh.global_tied > 0 ? fmt::format(" ({} of them tied to others)", mesh.global_tied) : "",
                   mesh.global_cells, simulation.model().space().global(), simulation.model().space().comm()->getSize());
+  text += cell_types(mesh);
   const std::vector<SceneNode> parts = part_lists(SceneNode(simulation.parameters().sublist("Mesh"), "Mesh"));
   for (std::size_t k = 0; k < parts.size() && parts[k].path() != "Mesh"; ++k)
     text += fmt::format("{}{} ({}){}", k == 0 ? "Parts: " : "", parts[k].name(), parts[k].text("Type"),

@@ -81,7 +81,7 @@ const Options<InteractionSettings>& options() {
                between(0, 64))
           .add("Surface Points", &InteractionSettings::points,
                "Number of Gauss points per direction on each side of the surface. With 0 it is 5, or 8 for Q1C3, Q1C4, "
-               "Q1CH and Q2C4.",
+               "Q1CH and Q2C4. Triangles have 1, 6, 7, 12 and 16 points for 1 to 5, and from 6 on the square.",
                between(0, most_points_on_a_side))
           .add("Cutoff", &InteractionSettings::cutoff,
                "Gap beyond which the interaction is neglected [L0]. The error of the traction is at most the traction "

@@ -33,10 +33,12 @@ const Options<Defaults>& options() {
                "Kelvin-Voigt viscosity, as a time over the elastic moduli [T0]: the viscous stress is that of the rate "
                "of Green's strain. Rigid rotations are not damped. Standard elements only.",
                at_least(0))
-          .add("Quadrature Points", &Defaults::points,
-               "Number of Gauss points per direction in linear elements that are not enriched; quadratic ones have one "
-               "more.",
-               between(1, 10))
+          .add(
+              "Quadrature Points", &Defaults::points,
+              "Number of Gauss points per direction in linear elements that are not enriched; quadratic ones have one "
+              "more. Triangles, tetrahedra, prisms and pyramids take what they need with 1 and 2, and rules of as high "
+              "a degree with more.",
+              between(1, 10))
           .choose(
               "Element Formulation", &Defaults::formulation,
               {{"Standard", Formulation::Standard},
