@@ -28,6 +28,7 @@ std::vector<NodeCorners> node_corners_of() {
     return corners_of_nodes<Element>();
   } else {
     std::vector<NodeCorners> result;
+    result.reserve(Element::nodes);
     for (int a = 0; a < Element::nodes; ++a) result.push_back({a});
     return result;
   }

@@ -7,7 +7,7 @@
 namespace ixos {
 
 PyramidFunctions::PyramidFunctions(const std::array<double, 3>& xi) {
-  const auto [x, y, z] = xi;
+  const double x = xi[0], y = xi[1], z = xi[2];
   const double s = 1 - z;
   // At the apex, where p and q have no limit, every function's value and gradient does, with p = q = 0.
   const double p = s == 0 ? 0 : x / s, q = s == 0 ? 0 : y / s;
