@@ -3,10 +3,10 @@
 /// A program fills in a Mesh, which is whole and the same on all ranks, or a DistributedMesh, of which each rank has
 /// its own nodes and cells with its own ids. local_part() checks either and makes the LocalMesh that a Model takes.
 ///
-/// Stable: Mesh, ElementBlock, Side, SideSet, NodeSet, CellType, DistributedMesh, DistributedBlock, DistributedNodeSet,
-/// LocalMesh, local_part, partition_nodes, raise_order, ContactElement, enrich, DiskShape, disk, BoxShape, box,
-/// MeshPart, joined_parts, Placement, move_nodes, Tie, RefinedRegion, NamedRegion, refine, tie_surfaces,
-/// make_periodic.
+/// Stable: Mesh, ElementBlock, Side, SideSet, NodeSet, CellType, DistributedMesh, DistributedBlock,
+/// DistributedNodeSet, LocalMesh, local_part, partition_nodes, raise_order, add_bubbles, place_bubbles,
+/// ContactElement, enrich, DiskShape, disk, BoxShape, box, MeshPart, joined_parts, Placement, move_nodes, Tie,
+/// RefinedRegion, NamedRegion, refine, tie_surfaces, make_periodic.
 #pragma once
 #include "fem/cell_type.hpp"
 #include "mesh/cell_order.hpp"

@@ -1,9 +1,11 @@
 #include "mesh/cell_order.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -94,6 +96,26 @@ void raise_order(Mesh& mesh, bool bubbles) {
 void add_bubbles(Mesh& mesh) {
   if (std::any_of(mesh.blocks.begin(), mesh.blocks.end(), [](const auto& block) { return is_quadratic(block.type); }))
     raise_order(mesh, true);
+}
+
+void place_bubbles(Mesh& mesh) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  for_each_bubble(mesh, [&](int node, const std::vector<double>& place, double /*size*/) {
+    std::copy_n(place.begin(), d, &mesh.coordinates[static_cast<std::size_t>(node) * d]);
+  });
+}
+
+void require_placed_bubbles(const Mesh& mesh) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  for_each_bubble(mesh, [&](int node, const std::vector<double>& place, double size) {
+    for (std::size_t i = 0; i < d; ++i)
+      if (std::abs(mesh.coordinates[static_cast<std::size_t>(node) * d + i] - place[i]) > 1e-9 * size)
+        throw InputError(
+            fmt::format("node {} is in the middle of a triangle or a cell, but stands elsewhere than the nodes on the "
+                        "edges put it, "
+                        "at ({:.6g}); place_bubbles() moves such nodes",
+                        node + 1, fmt::join(place, ", ")));
+  });
 }
 
 void require_one_order(const Mesh& mesh) {

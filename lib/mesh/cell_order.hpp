@@ -17,6 +17,12 @@ void raise_order(Mesh& mesh, bool bubbles = false);
 /// Does that with the quadratic cells of a mesh alone.
 void add_bubbles(Mesh& mesh);
 
+/// Puts the nodes that cells with bubbles have beyond others where the cells' quadratic maps have them: elsewhere they
+/// would raise the degree of the Jacobian, and the cells would fail the patch test.
+void place_bubbles(Mesh& mesh);
+/// Throws InputError, with the node, if one of them stands elsewhere, by more than 1e-9 of its cell's size.
+void require_placed_bubbles(const Mesh& mesh);
+
 /// Throws InputError, with two blocks, if the mesh has linear and quadratic cells, or in space quadratic ones with
 /// nodes in the middle of triangles and ones without: they do not conform.
 void require_one_order(const Mesh& mesh);

@@ -23,6 +23,7 @@ void check_whole(const Mesh& mesh) {
   require_one_order(mesh);
   refuse_split_faces(mesh);
   require_shared_middles(mesh);
+  require_placed_bubbles(mesh);
   check_cells(mesh);
 }
 

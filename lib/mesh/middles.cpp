@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "fem/cell_info.hpp"
@@ -69,6 +70,31 @@ std::vector<double> weights_at(CellType completed, int count, const NodeCorners&
 }
 
 }  // namespace
+
+void for_each_bubble(const Mesh& mesh,
+                     const std::function<void(int node, const std::vector<double>& place, double size)>& visit) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  for (const ElementBlock& block : mesh.blocks) {
+    const CellInfo& info = cell_info(block.type);
+    if (!info.bubbles) continue;
+    const int drawn = nodes_per_cell(info.drawn);
+    for (int a = drawn; a < info.nodes; ++a) {
+      const std::vector<double> weights = weights_at(block.type, drawn, info.node_corners[static_cast<std::size_t>(a)]);
+      for (int cell = 0; cell < block.cells(); ++cell) {
+        const int* nodes = &block.nodes[cell_entry(cell, info.nodes)];
+        std::vector<double> place(d, 0.0);
+        double size = 0;
+        for (std::size_t b = 0; b < weights.size(); ++b)
+          for (std::size_t i = 0; i < d; ++i) {
+            const double x = mesh.coordinates[static_cast<std::size_t>(nodes[b]) * d + i];
+            place[i] += weights[b] * x;
+            size = std::max(size, std::abs(x - mesh.coordinates[static_cast<std::size_t>(nodes[0]) * d + i]));
+          }
+        visit(nodes[a], place, size);
+      }
+    }
+  }
+}
 
 Middles::Middles(Mesh& mesh) : mesh_(mesh) {
   for (const ElementBlock& block : mesh.blocks) {

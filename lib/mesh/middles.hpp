@@ -1,5 +1,6 @@
 /// The nodes in the middle of edges, faces and cells.
 #pragma once
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -8,6 +9,12 @@
 #include "mesh/mesh.hpp"
 
 namespace ixos {
+
+/// Calls visit(node, place) for the nodes of cells with bubbles beyond those of `drawn` cells, as often as cells have
+/// them; `place`: where the map of the drawn cell has them [L0]; `size`: the largest difference of a coordinate from
+/// that of the cell's first node [L0].
+void for_each_bubble(const Mesh& mesh,
+                     const std::function<void(int node, const std::vector<double>& place, double size)>& visit);
 
 /// The middle nodes of a mesh's edges, faces and cells, by their corners. Cells share those that they share.
 class Middles {

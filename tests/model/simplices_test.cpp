@@ -320,6 +320,20 @@ TEST(SimplicesTest, MixturesThatDoNotConformAreRefused) {
   EXPECT_NO_THROW(refuse_split_faces(body({"hexahedra to tetrahedra", 1, false})));
 }
 
+TEST(SimplicesTest, BubblesStandWhereTheQuadraticMapPutsThem) {
+  for (const char* kind : {"triangles", "tetrahedra", "prisms", "pyramids"}) {
+    Mesh mesh = body({kind, 2, true}, Shape::Curved);
+    EXPECT_NO_THROW(require_placed_bubbles(mesh)) << kind;
+    const Mesh right = mesh;
+    mesh.coordinates.back() += 0.01;  // the last node is one
+    test::expect_contains(test::refusal([&] { require_placed_bubbles(mesh); }), "place_bubbles() moves such nodes");
+    place_bubbles(mesh);
+    EXPECT_NO_THROW(require_placed_bubbles(mesh)) << kind;
+    for (std::size_t k = 0; k < mesh.coordinates.size(); ++k)
+      EXPECT_NEAR(mesh.coordinates[k], right.coordinates[k], 1e-14);
+  }
+}
+
 TEST(SimplicesTest, QualityIsOneForRegularCells) {
   const auto quality = [](CellType type, int dimension, const Values& x) {
     Mesh mesh;

@@ -10,7 +10,7 @@
 
 namespace ixos {
 
-/// What the pyramids share: |xi|, |eta| <= 1 - zeta, zeta >= 0.
+/// Members of all pyramids: |xi|, |eta| <= 1 - zeta, zeta >= 0.
 struct PyramidBase {
   static constexpr int dimension = 3;
   static constexpr std::array<std::array<double, 3>, 5> corners{

@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// What the tetrahedra share: the coordinates xi, eta, zeta >= 0, xi + eta + zeta <= 1, and the barycentric ones.
+/// Members of all tetrahedra: the coordinates xi, eta, zeta >= 0, xi + eta + zeta <= 1, and the barycentric ones.
 struct TetrahedronBase {
   static constexpr int dimension = 3;
   static constexpr std::array<std::array<double, 3>, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

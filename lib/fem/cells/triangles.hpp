@@ -12,7 +12,7 @@
 
 namespace ixos {
 
-/// What the triangles share: the coordinates xi, eta >= 0, xi + eta <= 1 and the barycentric {1 - xi - eta, xi, eta}.
+/// Members of all triangles: the coordinates xi, eta >= 0, xi + eta <= 1 and the barycentric {1 - xi - eta, xi, eta}.
 struct TriangleBase {
   static constexpr int dimension = 2;
   static constexpr std::array<std::array<double, 2>, 3> corners{{{0, 0}, {1, 0}, {0, 1}}};
