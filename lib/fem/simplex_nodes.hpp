@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "fem/cell_traits.hpp"
@@ -39,5 +40,27 @@ inline SideNodes sides_by_corners(const SideNodes& corners, const std::vector<No
   }
   return sides;
 }
+
+/// The places of an element's nodes. `Own` has the corners of its shape and node_corners().
+template <class Own>
+struct NodesBetweenCorners {
+  /// Returns the reference coordinates of a node. Throws std::out_of_range.
+  static auto place(std::size_t a) {
+    static const auto places = [] {
+      std::vector<typename std::remove_const_t<decltype(Own::corners)>::value_type> all;
+      for (const NodeCorners& own : Own::node_corners()) all.push_back(middle_of(Own::corners, own));
+      return all;
+    }();
+    return places.at(a);
+  }
+};
+
+/// The traits of an element whose nodes stand between corners. `Shape`: the traits of its shape, with side_corners().
+template <class Element, class Shape>
+struct SimplexTraits : Shape {
+  using Plain = Element;
+  static constexpr int order = Element::nodes > Shape::Corners::nodes ? 2 : 1;
+  static SideNodes side_nodes() { return sides_by_corners(Shape::side_corners(), Element::node_corners()); }
+};
 
 }  // namespace ixos

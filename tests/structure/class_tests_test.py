@@ -30,6 +30,7 @@ elsewhere = {
     "fem/cells/pyramids.hpp": ("fem/cells/simplices_test.cpp", "all shapes"),
     "fem/cells/tetrahedra.hpp": ("fem/cells/simplices_test.cpp", "all shapes"),
     "fem/pyramid_functions.hpp": ("fem/cells/simplices_test.cpp", "as the functions of pyramids"),
+    "fem/simplex_nodes.hpp": ("fem/cells/simplices_test.cpp", "places of nodes; sides in cell_info_test.cpp"),
     "fem/simplex_rules.hpp": ("fem/cells/simplices_test.cpp", "all rules; of triangles in cells/triangles_test.cpp"),
     "io/file_cells.hpp": ("io/gmsh_mesh_test.cpp", "gmsh's cells; those of Exodus in exodus_test.cpp"),
     "io/msh2_sections.hpp": ("io/gmsh_mesh_test.cpp", "files of gmsh"),

@@ -9,13 +9,10 @@
 
 namespace ixos {
 
-/// The corners of a prism's sides in Exodus order: three quadrilaterals, the bottom, the top.
-inline SideNodes prism_sides() { return {{0, 1, 4, 3}, {1, 2, 5, 4}, {0, 3, 5, 2}, {0, 2, 1}, {3, 4, 5}}; }
-
 /// The product of a triangle and a line, xi, eta >= 0, xi + eta <= 1, -1 <= zeta <= 1. `Own` lists for each node that
 /// of the triangle and that of the line: factors().
 template <class Own, class Triangle, class Line, int Nodes>
-struct PrismBase {
+struct PrismBase : NodesBetweenCorners<Own> {
   static constexpr int dimension = 3;
   static constexpr int nodes = Nodes;
   static constexpr std::array<std::array<double, 3>, 6> corners{
@@ -50,7 +47,6 @@ struct PrismBase {
     }
     return result;
   }
-  static std::array<double, 3> place(std::size_t a) { return middle_of(corners, node_corners().at(a)); }
 
   /// Returns a rule of triangle_rule() and as many points along zeta.
   static QuadratureRule<3> rule(int along) { return prism_rule(triangle_rule(along), along); }
@@ -116,35 +112,29 @@ struct Prism21 : PrismBase<Prism21, Tri7, LagrangeEdge<2>, 21> {
 struct PrismTraits : CommonCellTraits {
   static constexpr ReferenceShape shape = ReferenceShape::Prism;
   using Corners = Prism6;
+  /// In Exodus order: three quadrilaterals, the bottom, the top.
+  static SideNodes side_corners() { return {{0, 1, 4, 3}, {1, 2, 5, 4}, {0, 3, 5, 2}, {0, 2, 1}, {3, 4, 5}}; }
 };
 
 template <>
-struct CellTraits<Prism6> : PrismTraits {
-  using Plain = Prism6;
+struct CellTraits<Prism6> : SimplexTraits<Prism6, PrismTraits> {
   using Sides = SideElements<Quad4, Quad4, Quad4, Tri3, Tri3>;
   static constexpr std::string_view exodus = "WEDGE6";
   static constexpr int gmsh = 6;
-  static SideNodes side_nodes() { return prism_sides(); }
 };
 
 template <>
-struct CellTraits<Prism18> : PrismTraits {
-  using Plain = Prism18;
+struct CellTraits<Prism18> : SimplexTraits<Prism18, PrismTraits> {
   using Sides = SideElements<Quad9, Quad9, Quad9, Tri6, Tri6>;
-  static constexpr int order = 2;
   static constexpr std::string_view exodus = "WEDGE18";
   static constexpr int gmsh = 13;
-  static SideNodes side_nodes() { return sides_by_corners(prism_sides(), Prism18::node_corners()); }
 };
 
 template <>
-struct CellTraits<Prism21> : PrismTraits {
-  using Plain = Prism21;
+struct CellTraits<Prism21> : SimplexTraits<Prism21, PrismTraits> {
   using Drawn = Prism18;
   using Sides = SideElements<Quad9, Quad9, Quad9, Tri7, Tri7>;
-  static constexpr int order = 2;
   static constexpr bool bubbles = true;
-  static SideNodes side_nodes() { return sides_by_corners(prism_sides(), Prism21::node_corners()); }
 };
 
 }  // namespace ixos

@@ -20,7 +20,7 @@ struct PyramidBase {
 };
 
 /// The linear pyramid: the functions 1, xi, eta, zeta and xi eta/(1 - zeta). Node order of Exodus PYRAMID5.
-struct Pyr5 : PyramidBase {
+struct Pyr5 : PyramidBase, NodesBetweenCorners<Pyr5> {
   static constexpr int nodes = 5;
   static constexpr std::size_t most_points = 8;
 
@@ -37,7 +37,6 @@ struct Pyr5 : PyramidBase {
     gradient[4] = {0, 0, 1};
   }
   static std::vector<NodeCorners> node_corners() { return {{0}, {1}, {2}, {3}, {4}}; }
-  static std::array<double, 3> place(std::size_t a) { return corners.at(a); }
 
   static QuadratureRule<3> own_rule(bool /*high*/) { return pyramid_rule(2); }
   static QuadratureRule<3> mass_rule() { return pyramid_rule(3); }
@@ -45,14 +44,14 @@ struct Pyr5 : PyramidBase {
 
 /// A pyramid whose functions are combinations of the first PyramidFunctions. `Own` lists node_corners().
 template <class Own, int Nodes>
-struct RationalPyramid : PyramidBase {
+struct RationalPyramid : PyramidBase, NodesBetweenCorners<Own> {
   static constexpr int nodes = Nodes;
 
   static void evaluate(const std::array<double, 3>& xi, std::array<double, Nodes>& value,
                        std::array<std::array<double, 3>, Nodes>& gradient) {
     static const auto coefficients = [] {
       std::array<std::array<double, 3>, Nodes> places;
-      for (std::size_t a = 0; a < places.size(); ++a) places[a] = place(a);
+      for (std::size_t a = 0; a < places.size(); ++a) places[a] = Own::place(a);
       return pyramid_coefficients(places);
     }();
     const PyramidFunctions functions(xi);
@@ -65,7 +64,6 @@ struct RationalPyramid : PyramidBase {
       }
     }
   }
-  static std::array<double, 3> place(std::size_t a) { return middle_of(corners, Own::node_corners().at(a)); }
 };
 
 /// The quadratic pyramid. Node order of Exodus PYRAMID14: corners, edges of the base, of the sides, middle of the base.
@@ -99,32 +97,24 @@ struct PyramidTraits : CommonCellTraits {
 };
 
 template <>
-struct CellTraits<Pyr5> : PyramidTraits {
-  using Plain = Pyr5;
+struct CellTraits<Pyr5> : SimplexTraits<Pyr5, PyramidTraits> {
   using Sides = SideElements<Tri3, Tri3, Tri3, Tri3, Quad4>;
   static constexpr std::string_view exodus = "PYRAMID5";
   static constexpr int gmsh = 7;
-  static SideNodes side_nodes() { return side_corners(); }
 };
 
 template <>
-struct CellTraits<Pyr14> : PyramidTraits {
-  using Plain = Pyr14;
+struct CellTraits<Pyr14> : SimplexTraits<Pyr14, PyramidTraits> {
   using Sides = SideElements<Tri6, Tri6, Tri6, Tri6, Quad9>;
-  static constexpr int order = 2;
   static constexpr std::string_view exodus = "PYRAMID14";
   static constexpr int gmsh = 14;
-  static SideNodes side_nodes() { return sides_by_corners(side_corners(), Pyr14::node_corners()); }
 };
 
 template <>
-struct CellTraits<Pyr19> : PyramidTraits {
-  using Plain = Pyr19;
+struct CellTraits<Pyr19> : SimplexTraits<Pyr19, PyramidTraits> {
   using Drawn = Pyr14;
   using Sides = SideElements<Tri7, Tri7, Tri7, Tri7, Quad9>;
-  static constexpr int order = 2;
   static constexpr bool bubbles = true;
-  static SideNodes side_nodes() { return sides_by_corners(side_corners(), Pyr19::node_corners()); }
 };
 
 }  // namespace ixos

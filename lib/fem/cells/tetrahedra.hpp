@@ -22,7 +22,7 @@ struct TetrahedronBase {
 
 /// The linear tetrahedron. Node order of Exodus TETRA4. Its strain is constant, so it locks in bending and if it is
 /// nearly incompressible.
-struct Tet4 : TetrahedronBase {
+struct Tet4 : TetrahedronBase, NodesBetweenCorners<Tet4> {
   static constexpr int nodes = 4;
   static constexpr std::size_t most_points = 1;
 
@@ -32,14 +32,13 @@ struct Tet4 : TetrahedronBase {
     gradient = slope;
   }
   static std::vector<NodeCorners> node_corners() { return {{0}, {1}, {2}, {3}}; }
-  static std::array<double, 3> place(std::size_t a) { return corners.at(a); }
 
   static QuadratureRule<3> own_rule(bool /*high*/) { return tetrahedron_rule(1); }
   static QuadratureRule<3> mass_rule() { return tetrahedron_rule(2); }
 };
 
 /// The quadratic tetrahedron: N_i = l_i (2 l_i - 1), N_ij = 4 l_i l_j. Node order of Exodus TETRA10.
-struct Tet10 : TetrahedronBase {
+struct Tet10 : TetrahedronBase, NodesBetweenCorners<Tet10> {
   static constexpr int nodes = 10;
   static constexpr std::size_t most_points = 8;
   static constexpr std::array<std::array<std::size_t, 2>, 6> edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
@@ -60,7 +59,6 @@ struct Tet10 : TetrahedronBase {
   static std::vector<NodeCorners> node_corners() {
     return {{0}, {1}, {2}, {3}, {0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
   }
-  static std::array<double, 3> place(std::size_t a) { return middle_of(corners, node_corners().at(a)); }
 
   /// Four points have full rank; on curved cells they fail the patch test, and eight pass it.
   static QuadratureRule<3> own_rule(bool high) { return high ? tetrahedron_rule(2) : four_point_rule(); }
@@ -70,7 +68,7 @@ struct Tet10 : TetrahedronBase {
 /// The quadratic tetrahedron with cubic bubbles of its faces, 27 l_i l_j l_k (1 - 4 l_m), and the quartic one of the
 /// cell, B = 256 l_0 l_1 l_2 l_3 (Geevers, Mulder and van der Vegt 2018, SIAM J. Sci. Comput. 40, have its nodal rule).
 /// Node order of Tet10, then the centres of the faces in the order of the sides, then that of the cell.
-struct Tet15 : TetrahedronBase {
+struct Tet15 : TetrahedronBase, NodesBetweenCorners<Tet15> {
   static constexpr int nodes = 15;
   static constexpr std::size_t most_points = 14;
   /// The corners of the faces, and the one that is not there.
@@ -117,7 +115,6 @@ struct Tet15 : TetrahedronBase {
     all.insert(all.end(), {{0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 2, 1}, {0, 1, 2, 3}});
     return all;
   }
-  static std::array<double, 3> place(std::size_t a) { return middle_of(corners, node_corners().at(a)); }
 
   /// Fourteen points; with eight there are three modes without energy.
   static QuadratureRule<3> own_rule(bool /*high*/) { return tetrahedron_rule(3); }
@@ -138,33 +135,25 @@ struct TetrahedronTraits : CommonCellTraits {
 };
 
 template <>
-struct CellTraits<Tet4> : TetrahedronTraits {
-  using Plain = Tet4;
+struct CellTraits<Tet4> : SimplexTraits<Tet4, TetrahedronTraits> {
   using Sides = SideElements<Tri3, Tri3, Tri3, Tri3>;
   static constexpr bool constant_strain = true;
   static constexpr std::string_view exodus = "TETRA4";
   static constexpr int gmsh = 4;
-  static SideNodes side_nodes() { return side_corners(); }
 };
 
 template <>
-struct CellTraits<Tet10> : TetrahedronTraits {
-  using Plain = Tet10;
+struct CellTraits<Tet10> : SimplexTraits<Tet10, TetrahedronTraits> {
   using Sides = SideElements<Tri6, Tri6, Tri6, Tri6>;
-  static constexpr int order = 2;
   static constexpr std::string_view exodus = "TETRA10";
   static constexpr int gmsh = 11;
-  static SideNodes side_nodes() { return sides_by_corners(side_corners(), Tet10::node_corners()); }
 };
 
 template <>
-struct CellTraits<Tet15> : TetrahedronTraits {
-  using Plain = Tet15;
+struct CellTraits<Tet15> : SimplexTraits<Tet15, TetrahedronTraits> {
   using Drawn = Tet10;
   using Sides = SideElements<Tri7, Tri7, Tri7, Tri7>;
-  static constexpr int order = 2;
   static constexpr bool bubbles = true;
-  static SideNodes side_nodes() { return sides_by_corners(side_corners(), Tet15::node_corners()); }
 };
 
 }  // namespace ixos

@@ -26,7 +26,7 @@ struct TriangleBase {
 
 /// The linear triangle: the barycentric coordinates. Node order of Exodus TRI3. Its strain is constant, so it locks in
 /// bending and if it is nearly incompressible.
-struct Tri3 : TriangleBase {
+struct Tri3 : TriangleBase, NodesBetweenCorners<Tri3> {
   static constexpr int nodes = 3;
   static constexpr std::size_t most_points = 1;
 
@@ -36,7 +36,6 @@ struct Tri3 : TriangleBase {
     gradient = slope;
   }
   static std::vector<NodeCorners> node_corners() { return {{0}, {1}, {2}}; }
-  static std::array<double, 2> place(std::size_t a) { return corners.at(a); }
 
   /// One point integrates the constant stress exactly.
   static QuadratureRule<2> own_rule(bool /*high*/) { return triangle_rule(1); }
@@ -44,7 +43,7 @@ struct Tri3 : TriangleBase {
 };
 
 /// The quadratic triangle: N_i = l_i (2 l_i - 1), N_ij = 4 l_i l_j. Node order of Exodus TRI6.
-struct Tri6 : TriangleBase {
+struct Tri6 : TriangleBase, NodesBetweenCorners<Tri6> {
   static constexpr int nodes = 6;
   static constexpr std::size_t most_points = 6;
   static constexpr std::array<std::array<std::size_t, 2>, 3> edges{{{0, 1}, {1, 2}, {2, 0}}};
@@ -63,7 +62,6 @@ struct Tri6 : TriangleBase {
     }
   }
   static std::vector<NodeCorners> node_corners() { return {{0}, {1}, {2}, {0, 1}, {1, 2}, {2, 0}}; }
-  static std::array<double, 2> place(std::size_t a) { return middle_of(corners, node_corners().at(a)); }
 
   /// Three points have full rank and pass the patch test, on curved cells too; on rings, whose radius is a factor of
   /// the integrand, six.
@@ -73,7 +71,7 @@ struct Tri6 : TriangleBase {
 
 /// The quadratic triangle with the cubic bubble b = 27 l_1 l_2 l_3: the functions of Tri6, less b/9 times -1 at corners
 /// and 4 at edges, and b (Crouzeix and Raviart 1973). Node order of Tri6, then the centre.
-struct Tri7 : TriangleBase {
+struct Tri7 : TriangleBase, NodesBetweenCorners<Tri7> {
   static constexpr int nodes = 7;
   static constexpr std::size_t most_points = 7;
 
@@ -93,7 +91,6 @@ struct Tri7 : TriangleBase {
     }
   }
   static std::vector<NodeCorners> node_corners() { return {{0}, {1}, {2}, {0, 1}, {1, 2}, {2, 0}, {0, 1, 2}}; }
-  static std::array<double, 2> place(std::size_t a) { return middle_of(corners, node_corners().at(a)); }
 
   static QuadratureRule<2> own_rule(bool high) { return triangle_rule(high ? 3 : 2); }
   static QuadratureRule<2> mass_rule() { return triangle_rule(6); }
@@ -110,31 +107,25 @@ struct TriangleTraits : CommonCellTraits {
 };
 
 template <>
-struct CellTraits<Tri3> : TriangleTraits {
-  using Plain = Tri3;
+struct CellTraits<Tri3> : SimplexTraits<Tri3, TriangleTraits> {
   using Sides = SideElements<Line2, Line2, Line2>;
   static constexpr bool constant_strain = true;
   static constexpr std::string_view exodus = "TRI3";
   static constexpr int gmsh = 2;
-  static SideNodes side_nodes() { return side_corners(); }
 };
 
 struct QuadraticTriangleTraits : TriangleTraits {
   using Sides = SideElements<LagrangeEdge<2>, LagrangeEdge<2>, LagrangeEdge<2>>;
-  static constexpr int order = 2;
-  static SideNodes side_nodes() { return sides_by_corners(side_corners(), Tri6::node_corners()); }
 };
 
 template <>
-struct CellTraits<Tri6> : QuadraticTriangleTraits {
-  using Plain = Tri6;
+struct CellTraits<Tri6> : SimplexTraits<Tri6, QuadraticTriangleTraits> {
   static constexpr std::string_view exodus = "TRI6";
   static constexpr int gmsh = 9;
 };
 
 template <>
-struct CellTraits<Tri7> : QuadraticTriangleTraits {
-  using Plain = Tri7;
+struct CellTraits<Tri7> : SimplexTraits<Tri7, QuadraticTriangleTraits> {
   using Drawn = Tri6;
   static constexpr bool bubbles = true;
 };
