@@ -70,10 +70,9 @@ std::map<ReferenceShape, std::vector<NodeCorners>> gmsh_order() {
           {ReferenceShape::Pyramid, {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 3}, {2, 4}, {3, 4}, {0, 1, 2, 3}}}};
 }
 
-FileCells of_gmsh(ReferenceShape shape, int nodes) {
-  const CellInfo& info = *type_with(shape, nodes);
+FileCells of_gmsh(const CellInfo& info, int nodes) {
   const auto orders = gmsh_order();
-  const auto found = orders.find(shape);
+  const auto found = orders.find(info.shape);
   const int corners = nodes_per_cell(info.corners);
   if (found == orders.end() || nodes == corners) return {info.type, as_they_are(nodes)};
   FileCells cells{info.type, as_they_are(corners)};
@@ -99,15 +98,18 @@ const FileCells* exodus_cells(ReferenceShape shape, int nodes) {
 }
 
 const FileCells* gmsh_cells(int type) {
-  static const std::map<int, FileCells> known{
-      {2, of_gmsh(ReferenceShape::Triangle, 3)},       {9, of_gmsh(ReferenceShape::Triangle, 6)},
-      {3, of_gmsh(ReferenceShape::Quadrilateral, 4)},  {10, of_gmsh(ReferenceShape::Quadrilateral, 9)},
-      {16, of_gmsh(ReferenceShape::Quadrilateral, 8)}, {4, of_gmsh(ReferenceShape::Tetrahedron, 4)},
-      {11, of_gmsh(ReferenceShape::Tetrahedron, 10)},  {5, of_gmsh(ReferenceShape::Hexahedron, 8)},
-      {12, of_gmsh(ReferenceShape::Hexahedron, 27)},   {17, of_gmsh(ReferenceShape::Hexahedron, 20)},
-      {6, of_gmsh(ReferenceShape::Prism, 6)},          {13, of_gmsh(ReferenceShape::Prism, 18)},
-      {18, of_gmsh(ReferenceShape::Prism, 15)},        {7, of_gmsh(ReferenceShape::Pyramid, 5)},
-      {14, of_gmsh(ReferenceShape::Pyramid, 14)},      {19, of_gmsh(ReferenceShape::Pyramid, 13)}};
+  static const auto known = [] {
+    std::map<int, FileCells> all;
+    for (const CellInfo& info : cell_infos())
+      if (info.gmsh != 0 && info.plain == info.type) all.emplace(info.gmsh, of_gmsh(info, info.nodes));
+    const std::map<int, std::pair<ReferenceShape, int>> without_insides{{16, {ReferenceShape::Quadrilateral, 8}},
+                                                                        {17, {ReferenceShape::Hexahedron, 20}},
+                                                                        {18, {ReferenceShape::Prism, 15}},
+                                                                        {19, {ReferenceShape::Pyramid, 13}}};
+    for (const auto& [number, cell] : without_insides)
+      all.emplace(number, of_gmsh(*type_with(cell.first, cell.second), cell.second));
+    return all;
+  }();
   const auto found = known.find(type);
   return found == known.end() ? nullptr : &found->second;
 }
