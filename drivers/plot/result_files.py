@@ -86,9 +86,10 @@ class Fields:
     """The mesh and the fields of fields.e, or of its series of one file a rank. Needs netCDF4.
 
     times: of the frames. dimension: 2 or 3. points: reference coordinates, a row a node. cells: the nodes of each cell,
-    a row a cell; -1 stands behind the nodes of cells with fewer than others. mesh_nodes: for each node its number in the mesh, from 0. blocks and node_sets: numbers of cells and
-    of nodes by name; side_set_nodes: those of side sets. totals: the global variables of all frames, such as
-    total_energy, by name. Nodes and cells are in the order of the mesh, whatever the number of ranks.
+    a row a cell; -1 stands behind the nodes of cells with fewer than others. mesh_nodes: for each node its number in
+    the mesh, from 0. blocks and node_sets: numbers of cells and of nodes by name; side_set_nodes: those of side sets.
+    totals: the global variables of all frames, such as total_energy, by name. Nodes and cells are in the order of the
+    mesh, whatever the number of ranks.
 
     `fields["displacement"]` is an array of frames x nodes x components, `fields["jacobian"]` one of frames x cells;
     `fields.at("displacement", frame)` reads one frame. `list(fields)` has the names. A component has a name of its own

@@ -178,8 +178,7 @@ class Reader {
       if (!kept && is_shell(block) && block.cells > 0)
         refuse(path(),
                "block \"{}\" has shells ({}) beside cells of a volume, and Ixos has no shells: mesh this part's "
-               "volume, or "
-               "leave the block out of the file; surfaces on which something acts are side sets",
+               "volume, or leave the block out of the file; surfaces on which something acts are side sets",
                block.name, block.topology);
       ElementBlock here{block.name, cube_type(cell_dimension_), {}};
       if (kept && block.cells > 0) {

@@ -73,11 +73,24 @@ CellQuality cell_quality(const std::vector<double>& coordinates, const int* node
   return cell;
 }
 
-/// Returns the corners between which the nodes of the shape's quadratic cell are: its edges have two.
-template <ReferenceShape shape>
-std::vector<NodeCorners> nodes_between() {
-  return find_cell([](const CellInfo& info) { return info.shape == shape && info.order == 2; })->node_corners;
-}
+/// The edges of a shape, by their corners, and for each corner those at the other ends of its edges.
+template <ReferenceShape shape, std::size_t corners>
+struct ShapeEdges {
+  std::vector<std::array<std::size_t, 2>> ends;
+  std::array<std::vector<std::size_t>, corners> neighbours;
+
+  ShapeEdges() {
+    // The nodes of the quadratic cell that stand between two corners.
+    const auto quadratic = [](const CellInfo& info) { return info.shape == shape && info.order == 2; };
+    for (const NodeCorners& between : find_cell(quadratic)->node_corners) {
+      if (between.size() != 2) continue;
+      const auto a = static_cast<std::size_t>(between[0]), b = static_cast<std::size_t>(between[1]);
+      ends.push_back({a, b});
+      neighbours[a].push_back(b);
+      neighbours[b].push_back(a);
+    }
+  }
+};
 
 /// Returns 1 over the determinant of the unit vectors along the edges at a corner of a regular cell.
 constexpr double ideal_factor(ReferenceShape shape) {
@@ -92,17 +105,12 @@ template <class Element, class Corners>
 CellQuality simplex_quality(const std::vector<double>& coordinates, const int* nodes, bool revolved) {
   constexpr std::size_t D = Element::dimension, C = Corners::nodes;
   static const ShapeTable<Element> table(mass_rule<Element>());
-  static const std::vector<NodeCorners> between = nodes_between<CellTraits<Element>::shape>();
+  static const ShapeEdges<CellTraits<Element>::shape, C> shape_edges;
   constexpr double factor = ideal_factor(CellTraits<Element>::shape);
   std::array<double, Element::nodes> ones;
   ones.fill(1);
   CellQuality cell;
-  std::array<std::vector<std::size_t>, C> neighbours;
-  for (const NodeCorners& edge : between) {
-    if (edge.size() != 2) continue;
-    const auto a = static_cast<std::size_t>(edge[0]), b = static_cast<std::size_t>(edge[1]);
-    neighbours[a].push_back(b);
-    neighbours[b].push_back(a);
+  for (const auto& [a, b] : shape_edges.ends) {
     double square = 0;
     for (std::size_t i = 0; i < D; ++i) {
       const double way = coordinates[static_cast<std::size_t>(nodes[b]) * D + i] -
@@ -113,11 +121,12 @@ CellQuality simplex_quality(const std::vector<double>& coordinates, const int* n
     cell.longest = std::max(cell.longest, std::sqrt(square));
   }
   for (std::size_t c = 0; c < C; ++c) {
-    if (neighbours[c].size() != D) continue;  // the apex of a pyramid
-    Small<double, D> edges;                   // as columns
+    const std::vector<std::size_t>& neighbours = shape_edges.neighbours[c];
+    if (neighbours.size() != D) continue;  // the apex of a pyramid
+    Small<double, D> edges;                // as columns
     for (std::size_t d = 0; d < D; ++d)
       for (std::size_t i = 0; i < D; ++i)
-        edges[i][d] = coordinates[static_cast<std::size_t>(nodes[neighbours[c][d]]) * D + i] -
+        edges[i][d] = coordinates[static_cast<std::size_t>(nodes[neighbours[d]]) * D + i] -
                       coordinates[static_cast<std::size_t>(nodes[c]) * D + i];
     const double sign = determinant(jacobian_at<Corners>(Corners::place(c), coordinates, nodes)) < 0 ? -1 : 1;
     cell.scaled_jacobian = std::min(cell.scaled_jacobian, sign * factor * std::abs(scaled_determinant(edges)));
