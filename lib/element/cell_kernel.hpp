@@ -53,12 +53,14 @@ struct CellKernel {
     const Table* table;
     std::vector<Point<T>> points;
   };
-  /// The ends of the segment: u_from and h v_from may be null if the rule does not use them.
+  /// The ends of the segment: u_from and h v_from may be null if the rule does not use them, and so may the iterate.
   template <class T>
   struct Segment {
     const Nodal<T>* from;
     const Nodal<T>* velocity;
     const Nodal<T>* to;
+    const Nodal<T>* iterate = nullptr;
+    double way = 1;  ///< see ixos::Segment
   };
 
   /// Computes the geometry from nodal coordinates X [L0]. The caller checks that all weights are positive.
@@ -179,19 +181,30 @@ struct CellKernel {
   class Ends {
    public:
     Ends(const Geometry<T>& geometry, std::size_t first, std::size_t count, const Segment<T>& segment)
-        : count_(count), has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+        : count_(count),
+          has_from_(segment.from != nullptr),
+          has_velocity_(segment.velocity != nullptr),
+          has_iterate_(segment.iterate != nullptr),
+          way_(segment.way) {
       gradients(geometry, first, count, *segment.to, to_.data());
       if (has_from_) gradients(geometry, first, count, *segment.from, from_.data());
       if (has_velocity_) gradients(geometry, first, count, *segment.velocity, velocity_.data());
+      if (has_iterate_) gradients(geometry, first, count, *segment.iterate, iterate_.data());
     }
     PointEnds<T, G> points() const {
-      return {count_, to_.data(), has_from_ ? from_.data() : nullptr, has_velocity_ ? velocity_.data() : nullptr};
+      return {count_,
+              to_.data(),
+              has_from_ ? from_.data() : nullptr,
+              has_velocity_ ? velocity_.data() : nullptr,
+              has_iterate_ ? iterate_.data() : nullptr,
+              way_};
     }
 
    private:
     std::size_t count_;
-    bool has_from_, has_velocity_;
-    std::array<Small<T, G>, batch> to_, from_, velocity_;
+    bool has_from_, has_velocity_, has_iterate_;
+    double way_;
+    std::array<Small<T, G>, batch> to_, from_, velocity_, iterate_;
   };
 
   /// Adds the tangent of the points of a batch from `first` on: `moduli`(point, count, A) computes the moduli of some

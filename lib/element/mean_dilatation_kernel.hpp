@@ -4,6 +4,7 @@
 #include "element/kernel_law.hpp"
 #include "element/mean_dilatation_point.hpp"
 #include "material/meridian_moduli.hpp"
+#include "material/volume_excess.hpp"
 
 namespace ixos {
 
@@ -120,6 +121,7 @@ struct MeanDilatationKernel : CellKernel<Element> {
     T least_jacobian(1e300);
     std::vector<Mean<T>> means = dilatations(finite, geometry, segment, rule, least_jacobian);
     if (finite) add_pressures(law, geometry, segment, rule, means);
+    if (law.has_mixed_steps() && segment.iterate != nullptr) find_excess(material.lame.lambda, geometry, segment, rule, means);
     const T reference = Base::volume(geometry);
     Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
       const typename Base::template Ends<T> ends(geometry, first, count, segment);
@@ -134,7 +136,7 @@ struct MeanDilatationKernel : CellKernel<Element> {
         const double factor = rule.points[point].weight * rule.points[point].to;
         for (std::size_t q = 0; q < count; ++q) {
           const State<T>& s = at.states[q];
-          const T sigma = mean.pressure / mean.volume(finite, reference) * s.jacobian;
+          const T sigma = (mean.pressure + mean.excess) / mean.volume(finite, reference) * s.jacobian;
           const Moduli<T> moduli(s, p[q], a[q], sigma, sigma);
           for (std::size_t r = 0; r < G * G; ++r)
             for (std::size_t c = 0; c < G * G; ++c) sums[q][r][c] += factor * moduli.local[r][c];
@@ -181,6 +183,7 @@ struct MeanDilatationKernel : CellKernel<Element> {
   struct Mean {
     T dilatation{0.0};    ///< Jm - 1
     T pressure{0.0};      ///< S = int P~:F~/D dV
+    T excess{0.0};        ///< V kappa (linearised Jm - Jm)/Jm, see volume_excess()
     T second{0.0};        ///< sum w phi_tt
     Nodal<T> gradient{};  ///< V dJm/du
     Nodal<T> coupling{};  ///< sum w phi_Ft dN
@@ -226,6 +229,27 @@ struct MeanDilatationKernel : CellKernel<Element> {
     const T reference = Base::volume(geometry);
     for (Mean<T>& mean : means) mean.dilatation = mean.dilatation / reference;
     return means;
+  }
+
+  /// Sets the excess of each time point.
+  template <class T>
+  static void find_excess(double kappa, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
+                          std::vector<Mean<T>>& means) {
+    Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
+      const typename Base::template Ends<T> ends(geometry, first, count, segment);
+      const PointEnds<T, G> points = ends.points();
+      for (std::size_t k = 0; k < means.size(); ++k)
+        for (std::size_t q = 0; q < count; ++q) {
+          const Small<T, G> before = points.iterate_at(q, rule.points[k]), here = points.at(q, rule.points[k]);
+          const State<T> state(true, before, AtPoint::dilatation(true, before));
+          const Small<T, G> cofactors = state.cofactors();
+          T linear = AtPoint::dilatation(true, before) - AtPoint::dilatation(true, here);
+          for (std::size_t i = 0; i < G; ++i)
+            for (std::size_t j = 0; j < G; ++j) linear += segment.way * cofactors[i][j] * (here[i][j] - before[i][j]);
+          means[k].excess += geometry.points[first + q].weight * kappa * linear;
+        }
+    });
+    for (Mean<T>& mean : means) mean.excess = mean.excess / (1.0 + mean.dilatation);
   }
 
   /// Returns S of each time point.

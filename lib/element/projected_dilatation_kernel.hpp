@@ -15,6 +15,7 @@
 #include "element/point_gradients.hpp"
 #include "fem/quadratic_contact_elements.hpp"
 #include "material/meridian_moduli.hpp"
+#include "material/volume_excess.hpp"
 
 namespace ixos {
 
@@ -133,6 +134,8 @@ struct ProjectedDilatationKernel : CellKernel<Element> {
     const std::size_t size = states.size, count = rule.points.size();
     std::vector<T> pressures(count * size, T(0.0));
     if (states.finite) add_pressures(law, geometry, states, pressures);
+    if (law.has_mixed_steps() && segment.iterate != nullptr)
+      add_excess(material.lame.lambda, geometry, segment, states, pressures);
     std::vector<Small<T, G>> volumes(count * size), couplings(count * size);
     std::vector<Small<T, M>> seconds(count, Small<T, M>{});
     Base::add_tangent_of(
@@ -283,6 +286,25 @@ struct ProjectedDilatationKernel : CellKernel<Element> {
         pressures[q] = s.product(p) * (1.0 / G);
       });
       geometry.projection.project(geometry.points, pressures.data(), &result[k * states.size]);
+    }
+  }
+
+  /// Adds kappa Pi(volume_excess()), by time point and quadrature point.
+  template <class T>
+  static void add_excess(double kappa, const Geometry<T>& geometry, const Segment<T>& segment, const States<T>& states,
+                         std::vector<T>& result) {
+    PointScratch<D, T> scratch(states.size);
+    std::vector<Small<T, G>> gradients;
+    find_gradients(geometry, *segment.iterate, scratch, gradients);
+    PointEnds<T, G> ends = states.ends;
+    ends.iterate = gradients.data();
+    ends.way = segment.way;
+    std::vector<T> excess(states.size), projected(states.size);
+    for (std::size_t k = 0; k < states.time_points.size(); ++k) {
+      const RulePoint& point = states.time_points[k];
+      for (std::size_t q = 0; q < states.size; ++q) excess[q] = kappa * volume_excess(ends, q, point);
+      geometry.projection.project(geometry.points, excess.data(), projected.data());
+      for (std::size_t q = 0; q < states.size; ++q) result[k * states.size + q] += projected[q];
     }
   }
 

@@ -8,6 +8,7 @@
 #include "base/pack.hpp"
 #include "material/points.hpp"
 #include "material/strain.hpp"
+#include "material/volume_excess.hpp"
 #include "rule/straight_points.hpp"
 
 namespace ixos {
@@ -17,6 +18,11 @@ template <class Law, class = void>
 struct CanInvert : std::true_type {};
 template <class Law>
 struct CanInvert<Law, std::void_t<decltype(Law::can_invert)>> : std::bool_constant<Law::can_invert> {};
+/// Whether the bulk stiffness resists a change of J, as mixed steps suppose.
+template <class Law, class = void>
+struct HasMixedSteps : CanInvert<Law> {};
+template <class Law>
+struct HasMixedSteps<Law, std::void_t<decltype(Law::has_mixed_steps)>> : std::bool_constant<Law::has_mixed_steps> {};
 template <class Law, class = void>
 struct HasLimit : std::false_type {};
 template <class Law>
@@ -52,6 +58,7 @@ class LawPoints {
   explicit LawPoints(const Law& law) : law_(law) {}
 
   static constexpr bool can_invert() { return CanInvert<Law>::value; }
+  static constexpr bool has_mixed_steps() { return HasMixedSteps<Law>::value; }
   static constexpr bool is_limited() { return HasLimit<Law>::value; }
   static constexpr bool has_spatial_tangent() { return spatial_tangent; }
 
@@ -121,6 +128,8 @@ class LawPoints {
       }
       if (rule.mean == Mean::DiscreteGradient) discrete_gradient_moduli(ends, q, a[q]);
     }
+    if (has_mixed_steps() && ends.iterate != nullptr)
+      for (std::size_t q = 0; q < ends.size; ++q) add_volume_excess<Space>(ends, q, rule, law_.lame.lambda, a[q]);
   }
 
   template <class T>
@@ -151,6 +160,9 @@ class LawPoints {
     if constexpr (spatial_tangent) {
       for (std::size_t q = 0; q < ends.size; ++q)
         states[q].moduli = law_.spatial_tangent(ends.at(q, point), states[q].inverse);
+      if (has_mixed_steps() && ends.iterate != nullptr)
+        for (std::size_t q = 0; q < ends.size; ++q)
+          states[q].moduli.c -= law_.lame.lambda * volume_excess(ends, q, point);
     } else {
       throw std::logic_error("the elastic law has no spatial tangent");
     }

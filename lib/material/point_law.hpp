@@ -22,6 +22,8 @@ class PointLaw {
 
   virtual ~PointLaw() = default;
 
+  /// Returns whether moduli() and spatial() see the iterate of a segment, see volume_excess().
+  virtual bool has_mixed_steps() const = 0;
   /// Returns whether J <= 0 is inadmissible; whether states with J > 0 may be, too; whether spatial() is there.
   virtual bool can_invert() const = 0;
   virtual bool is_limited() const = 0;
@@ -67,6 +69,7 @@ class PointLawOf final : public PointLaw<Space> {
   explicit PointLawOf(Law law) : law_(std::move(law)) {}
 
   bool can_invert() const override { return Points::can_invert(); }
+  bool has_mixed_steps() const override { return Points::has_mixed_steps(); }
   bool is_limited() const override { return Points::is_limited(); }
   bool has_spatial_tangent() const override { return Points::has_spatial_tangent(); }
   Pack admissibility(const Gradient& h) const override { return points().admissibility(h); }

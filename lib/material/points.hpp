@@ -31,19 +31,26 @@ struct PointEnds {
   const Small<T, G>* to = nullptr;
   const Small<T, G>* from = nullptr;
   const Small<T, G>* velocity = nullptr;
+  const Small<T, G>* iterate = nullptr;  ///< see Segment; null for the derivatives of forces
+  double way = 1;                        ///< see Segment
 
   /// Returns `count` of the points, from the one of number `first` on.
   PointEnds part(std::size_t first, std::size_t count) const {
-    return {count, to + first, from == nullptr ? nullptr : from + first,
-            velocity == nullptr ? nullptr : velocity + first};
+    const auto part_of = [&](const Small<T, G>* end) { return end == nullptr ? nullptr : end + first; };
+    return {count, to + first, part_of(from), part_of(velocity), part_of(iterate), way};
   }
 
   /// Returns the displacement gradient of a point at a time point of a rule.
-  [[gnu::always_inline]] Small<T, G> at(std::size_t q, const RulePoint& point) const {
+  [[gnu::always_inline]] Small<T, G> at(std::size_t q, const RulePoint& point) const { return at(to, q, point); }
+  /// Returns the same of the iterate.
+  Small<T, G> iterate_at(std::size_t q, const RulePoint& point) const { return at(iterate, q, point); }
+
+ private:
+  [[gnu::always_inline]] Small<T, G> at(const Small<T, G>* end, std::size_t q, const RulePoint& point) const {
     Small<T, G> h;
     for (std::size_t i = 0; i < G; ++i)
       for (std::size_t j = 0; j < G; ++j) {
-        h[i][j] = point.to * to[q][i][j];
+        h[i][j] = point.to * end[q][i][j];
         if (from != nullptr) h[i][j] += point.from * from[q][i][j];
         if (velocity != nullptr) h[i][j] += point.velocity * velocity[q][i][j];
       }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "material/elastic_law.hpp"
+
 namespace ixos {
 namespace {
 
@@ -68,6 +70,13 @@ double largest_viscosity(const Model& model) {
   double largest = 0;
   for (const Body& body : model.bodies()) largest = std::max(largest, body.material.viscosity);
   return largest;
+}
+
+bool has_mixed_steps(const Model& model) {
+  return std::any_of(model.materials().begin(), model.materials().end(), [](const Material& own) {
+    return own.formulation != Formulation::Enhanced && own.law->points(SolidSpace{}).has_mixed_steps() &&
+           poissons_ratio(own.law->lame()) > nearly_incompressible;
+  });
 }
 
 bool has_viscoelasticity(const Model& model) {

@@ -30,6 +30,9 @@ bool has_histories(const Model& model);
 bool has_viscosity(const Model& model);
 /// Returns the largest viscosity of a block [T0].
 double largest_viscosity(const Model& model);
+/// Returns whether some block is nearly incompressible at finite strains and its cells can take mixed steps. Enhanced
+/// ones cannot: their modes follow the displacement exactly, not the linearisation.
+bool has_mixed_steps(const Model& model);
 /// Returns whether some block has Maxwell branches.
 bool has_viscoelasticity(const Model& model);
 

@@ -57,6 +57,10 @@ struct Segment {
   double length = 0;  ///< time from `from` to `to` [T0]; 0 if `to` stands for a state, not for a step
   const TermHistories* histories = nullptr;  ///< at the step's start; null for terms that keep nothing
   const StepMemories* step = nullptr;        ///< of the step; null if `to` stands for a state
+  /// The iterate of Newton's method before `to`: elastic tangents are then those of the mixed form, see
+  /// volume_excess(). Null: the force's derivatives.
+  const double* iterate = nullptr;
+  double way = 1;  ///< share of the way from the iterate over which they linearise the change of volume
 
   /// Returns the time of a rule's point [T0].
   double time(const RulePoint& point) const { return start + point.time * length; }

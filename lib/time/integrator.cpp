@@ -94,7 +94,8 @@ void Integrator::follow_couplings() {
 }
 
 Integrator::StageSolver::StageSolver(const Integrator& integrator, const Table& table, bool matrix_free)
-    : problem(integrator.model_, table, matrix_free), newton(problem, *integrator.linear_solver_, integrator.newton_) {}
+    : problem(integrator.model_, table, matrix_free, allows_mixed_steps(integrator.newton_)),
+      newton(problem, *integrator.linear_solver_, integrator.newton_) {}
 
 void Integrator::initialize(std::vector<double> u, std::vector<double> v, double time) {
   begin_at(std::move(u), std::move(v), time);

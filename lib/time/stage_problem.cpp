@@ -40,12 +40,14 @@ double nodal_extent(const Model& model) {
 
 }  // namespace
 
-StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free)
+StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free, bool mixed_steps)
     : model_(model),
       table_(table),
       exact_rates_(has_exact_rates(table)),
       has_mass_(model.mass() != nullptr),
-      balance_(model) {
+      balance_(model),
+      mixed_(mixed_steps && ixos::has_mixed_steps(model)),
+      rounding_error_((ixos::has_mixed_steps(model) ? 8 : 2) * std::numeric_limits<double>::epsilon()) {
   const auto local = static_cast<std::size_t>(model.space().local());
   for (std::vector<double>* array : {&u_, &bracket_, &direction_, &kept_}) array->resize(local);
   if (has_mass_) known_inertia_.resize(local);
@@ -102,6 +104,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   stage_time_ = time + stage_->end * dt;
   start_ = &known[0];
   step_ = &step;
+  if (mixed_) iterates_ = {known[0].u, {}, 0, false};
   ++arm_;
   has_potential_ = is_symmetric(model_, *stage_) && rates_are_gradients(model_, stage_->rate_form);
   const std::vector<KnownState> states = known_states(known, stage + 1);
@@ -200,9 +203,8 @@ double StageProblem::rounding_force(const State& start, double coefficient) {
   }
   model_.space().sum(squares, 4);
   // u_s is rounded, and so is the difference s (u_s - u_0) - s dt v - ... that makes the inertia.
-  return 2 * std::numeric_limits<double>::epsilon() *
-         (coefficient * (std::sqrt(squares[0]) + 2 * dt_ * std::sqrt(squares[1])) + stiffness_ * std::sqrt(squares[2]) +
-          std::sqrt(squares[3]));
+  return rounding_error_ * (coefficient * (std::sqrt(squares[0]) + 2 * dt_ * std::sqrt(squares[1])) +
+                            stiffness_ * std::sqrt(squares[2]) + std::sqrt(squares[3]));
 }
 
 void StageProblem::clip(const std::vector<double>& base, std::vector<double>& guess) const {
@@ -267,8 +269,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   if (!kept_points_.empty()) at_u_.kept = arm_;
   // After a long step the rounding errors are larger than at its start.
   const double norm = std::sqrt(sums[5]);
-  rounding_here_ = 2 * std::numeric_limits<double>::epsilon() *
-                   ((diagonal_ + stiffness_ - model_.scales().elastic) * norm + std::sqrt(sums[6]));
+  rounding_here_ = rounding_error_ * ((diagonal_ + stiffness_ - model_.scales().elastic) * norm + std::sqrt(sums[6]));
   // Without an equilibrium a body flies off until the rounding of u passes any load.
   if (norm > reach_) rounding_here_ = 0;
   lost_ = norm > 10 * reach_ && !has_springs(model_);

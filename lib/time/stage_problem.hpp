@@ -25,9 +25,10 @@ bool is_symmetric(const Model& model, const Stage& stage);
 /// exactly.
 class StageProblem final : public NonlinearProblem {
  public:
-  /// `matrix_free`: the tangent is a TangentOperator, otherwise a matrix.
-  StageProblem(Model& model, const Table& table, bool matrix_free = false);
-  StageProblem(Model&, Table&&, bool = false) = delete;
+  /// `matrix_free`: the tangent is a TangentOperator, otherwise a matrix. `mixed_steps`: take them if a body is nearly
+  /// incompressible.
+  StageProblem(Model& model, const Table& table, bool matrix_free = false, bool mixed_steps = true);
+  StageProblem(Model&, Table&&, bool = false, bool = true) = delete;
 
   /// Sets the stage to solve. `known` are the step's start and the ends of the stages before this one; they and the
   /// step's memories must stay until the solve is over. Throws std::logic_error if the start of the segment is
@@ -60,11 +61,14 @@ class StageProblem final : public NonlinearProblem {
   void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;
   void relax_tangent(int level) override;
+  bool has_mixed_steps() const override { return mixed_ && !iterates_.are_left; }
+  void leave_mixed_steps(bool again) override;
   int family() const override { return static_cast<int>(stage_ - table_.stages.data()); }
 
  private:
   Segment segment(const Rule& rule) const;
   BalancePoint point() const;
+  BalancePoint tangent_point() const;
   TangentWeights weights() const;
   void begin_stage(const std::vector<KnownState>& known, StepMemories& step) const;
   void inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
@@ -76,6 +80,7 @@ class StageProblem final : public NonlinearProblem {
   bool is_at(const Vector& x) const;
   bool has_tangent() const;
   void linearize();
+  void take_iterate();
   Tangent tangent_kind() const;
   double shift() const;
   bool is_reached(std::size_t dof, double value) const;
@@ -124,6 +129,17 @@ class StageProblem final : public NonlinearProblem {
   long arm_ = 0;            ///< the number of the last arm()
   KeptForces kept_points_;  ///< of residual(); empty if the tangent is applied without a matrix
   std::vector<double> bracket_, product_, reaction_;
+  /// The last two of Newton's iterates that tangent() saw, local, for mixed steps; empty if there are none. The one
+  /// before the first is the step's start, whose stress is nearer than that of a guess, which need not keep the volume.
+  struct Iterates {
+    std::vector<double> last, before;
+    int number = 0;         ///< of iterates that tangent() saw
+    bool are_left = false;  ///< no more mixed steps in this solve
+  };
+  Iterates iterates_;
+  bool mixed_;  ///< it has mixed steps
+  /// Of forces, relative. The stress of the change of volume is the bulk modulus times a small difference of strains.
+  double rounding_error_;
   /// Where the tangent was taken last that residual() needed on the way, or the one without a matrix.
   struct TangentAt {
     std::vector<double> u;

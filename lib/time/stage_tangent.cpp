@@ -3,6 +3,7 @@
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/phase_timer.hpp"
 #include "time/stage_problem.hpp"
@@ -12,7 +13,33 @@ namespace ixos {
 void StageProblem::relax_tangent(int level) { relaxation_ = level; }
 
 void StageProblem::assemble(double* values) const {
-  balance_.tangent(point(), weights(), tangent_kind(), at_u_.kept == arm_ ? &kept_points_ : nullptr, values);
+  balance_.tangent(tangent_point(), weights(), tangent_kind(), at_u_.kept == arm_ ? &kept_points_ : nullptr, values);
+}
+
+/// Takes u_ as Newton's iterate.
+void StageProblem::take_iterate() {
+  const bool same = iterates_.number > 0 && iterates_.last == u_;
+  if (model_.space().minimum(same ? 1 : 0) > 0) return;
+  iterates_.before = std::exchange(iterates_.last, u_);
+  ++iterates_.number;
+}
+
+void StageProblem::leave_mixed_steps(bool again) {
+  iterates_ = {{}, {}, 2, !again};
+  tangent_at_ = {};
+}
+
+/// Returns where the tangent of the stage is taken. A strongly relaxed tangent is that of the force alone.
+BalancePoint StageProblem::tangent_point() const {
+  BalancePoint at = point();
+  if (!has_mixed_steps() || relaxation_ > 1) return at;
+  // On the way to prescribed values, residual() takes a tangent before Newton's method does.
+  const bool is_last = iterates_.number > 0 && iterates_.last == u_;
+  const std::vector<double>& before = is_last ? iterates_.before : iterates_.last;
+  if (before.empty()) return at;
+  at.elastic.iterate = before.data();
+  if (iterates_.number == (is_last ? 1 : 0)) at.elastic.way = 0;
+  return at;
 }
 
 Tangent StageProblem::tangent_kind() const { return relaxation_ == 0 ? Tangent::Exact : Tangent::Convex; }
@@ -26,7 +53,7 @@ bool StageProblem::has_tangent() const {
 }
 
 void StageProblem::linearize() {
-  matrix_free_->linearize(point(), weights(), tangent_kind(), diagonal_);
+  matrix_free_->linearize(tangent_point(), weights(), tangent_kind(), diagonal_);
   tangent_at_ = {u_, arm_, relaxation_};
 }
 
@@ -47,6 +74,7 @@ bool StageProblem::is_at(const Vector& x) const {
 void StageProblem::tangent(const Vector& x, Operator& w) {
   const TimedScope timed(Phase::Tangent);
   if (!is_at(x)) move_to(x);
+  if (has_mixed_steps()) take_iterate();
   if (nonnull(matrix_free_)) {
     if (!has_tangent()) linearize();
     return;

@@ -1,5 +1,7 @@
 /// One element of each kernel, for the tests of the remedies for locking.
 #pragma once
+#include <type_traits>
+
 #include "element/cell_means.hpp"
 #include "element/elastic_kernel.hpp"
 #include "element/element_nodes.hpp"
@@ -65,7 +67,14 @@ struct Body : ElementNodes<ElementType> {
     return Kernel::add_force(law, Kernel::geometry(table(), x), {&from, &velocity, &u}, rule, f);
   }
 
-  Law law{lame_constants(1.0, 0.3)};
+  static Law law_of(const Lame& lame) {
+    if constexpr (std::is_constructible_v<Law, NeoHooke>)
+      return Law(NeoHooke{lame});
+    else
+      return Law{lame};
+  }
+
+  Law law = law_of(lame_constants(1.0, 0.3));
   Nodal<double> x = Nodes::distorted(0.0), from = Nodes::wave(0.06, 1.0), velocity = Nodes::wave(0.06, 2.0);
   Nodal<double> to = Nodes::wave(0.1, 3.0);
 };

@@ -10,6 +10,7 @@ namespace {
 /// Objective. It softens under strong compression.
 struct SaintVenantKirchhoff {
   static constexpr bool has_discrete_gradient = true;
+  static constexpr bool has_mixed_steps = false;  // lambda resists a change of tr A, not of J
   Lame lame;
 
   template <std::size_t D>

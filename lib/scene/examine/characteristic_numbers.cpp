@@ -54,7 +54,7 @@ std::optional<BodyNumbers> body_numbers(const std::string& name, const Material&
   const bool found = for_each_place(mesh, material.block, [&](int node) { box.add(node_place(mesh, node)); });
   if (!found) return std::nullopt;
   const Lame lame = material.law->lame();
-  const double ratio = lame.lambda / (2 * (lame.lambda + lame.mu));
+  const double ratio = poissons_ratio(lame);
   BodyNumbers body;
   body.name = name;
   body.modulus = youngs_modulus(lame);

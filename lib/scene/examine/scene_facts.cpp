@@ -100,7 +100,7 @@ BodyBending body_bending(const Material& material, const Mesh& mesh, const std::
   constexpr double slender = 4;
   const Lame lame = material.law->lame();
   BodyBending own;
-  own.poissons_ratio = lame.lambda / (2 * (lame.lambda + lame.mu));
+  own.poissons_ratio = poissons_ratio(lame);
   own.is_volumetric =
       material.formulation == Formulation::Standard && own.poissons_ratio > nearly_incompressible + 1e-9;
   BendingQuery query;

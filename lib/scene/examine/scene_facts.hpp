@@ -56,9 +56,6 @@ struct DensePoints {
   double equilibrium_gap = 0;  ///< [L0]
 };
 
-/// Standard cells of a material with a Poisson's ratio above this lock under any strain that is not uniform.
-constexpr double nearly_incompressible = 0.45;
-
 /// The linear cells of one body.
 struct BodyBending {
   CellBending cells{};         ///< of Standard cells of a nearly incompressible body along all directions

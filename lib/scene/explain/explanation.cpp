@@ -91,7 +91,7 @@ std::string bodies(const Simulation& simulation) {
     text += fmt::format(
         "Material {}: block \"{}\", {}, {} elements, E = {:.6g} E0, nu = {:.6g}, density {}{}{}\n", node.name(),
         material.block, node.text("Model"), node.text("Element Formulation"), youngs_modulus(lame),
-        lame.lambda / (2 * (lame.lambda + lame.mu)), material.density,
+        poissons_ratio(lame), material.density,
         simulation.model().damping() == nullptr
             ? ""
             : fmt::format(", damping {} M + {} K", material.mass_damping, material.stiffness_damping),

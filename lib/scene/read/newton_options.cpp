@@ -25,6 +25,11 @@ const Options<NewtonOptions>& options() {
                "Static: number of Newton iterations that a step may take after Maximum Iterations, because a body that "
                "snaps has a long way to go to its next equilibrium.",
                between(0, 100000))
+          .add("Mixed Steps", &NewtonOptions::mixed_steps,
+               "In a nearly incompressible body (Poisson's ratio above 0.45) tangents take the stress of the change of "
+               "volume as the iteration before predicted it, as Newton's method for displacement and pressure does. "
+               "That takes some iterations in place of tens or hundreds; the solution is the same. Enhanced cells take "
+               "no such steps.")
           .free_form("NOX", &NewtonOptions::nox,
                      "Overrides lists of NOX: Printing, Direction, Line Search, ... Another Line Search replaces the "
                      "one that keeps gaps positive; another Direction replaces the one that corrects tangents that are "

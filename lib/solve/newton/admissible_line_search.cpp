@@ -26,6 +26,9 @@ struct End {
 /// Number of times that a step is shortened at most if there is no potential.
 constexpr int shortenings = 6;
 
+/// Number of steps in which the potential may be above that of the first one's start.
+constexpr int watched_steps = 5;
+
 /// Number of times that a step is lengthened at most, the least and the largest factor, and the share of the first
 /// slope above which it is.
 constexpr int lengthenings = 4;
@@ -55,9 +58,13 @@ double valley(const End& start, const End& end) {
 bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                                    const NOX::Solver::Generic& solver) {
   const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
-  if (solver.getNumIterations() <= 1) cut_start_ = Teuchos::null;
+  if (solver.getNumIterations() <= 1) {
+    cut_start_ = Teuchos::null;
+    watch_ = {};
+  }
   cut_ = false;
-  if (!search(group, step, direction, old)) return false;
+  if (!search(group, step, direction, old, solver.getNumIterations())) return false;
+  if (nonnull(watch_.start)) watch(group);
   const Teuchos::RCP<const Vector> before = std::exchange(cut_start_, Teuchos::null);
   if (!cut_) return true;
   if (nonnull(before))
@@ -68,10 +75,11 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
 }
 
 bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
-                                  const NOX::Abstract::Group& old) {
+                                  const NOX::Abstract::Group& old, int number) {
   const auto along = tpetra(direction), from = tpetra(old.getX());
   const bool gradient = problem_.is_gradient();  // at the old iterate, the last that was evaluated
-  const bool kinks = problem_.has_kinks();
+  const bool mixed = problem_.has_mixed_steps();
+  const bool kinks = problem_.has_kinks() && !(mixed && number <= watched_steps);
   const double slope = gradient || kinks ? inner_product(*tpetra(old.getF()), *along) : 0.0;
   std::optional<Potential> start;
   int hidden_cuts = 0;
@@ -93,9 +101,11 @@ bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, con
     }
     if (trial == 0 && step == 1 && end_slope < steep * slope) {
       step = lengthened(group, {*from, *along}, {slope, end_slope});
+      if (mixed) problem_.leave_mixed_steps(true);
       return true;
     }
     if (end_slope <= 0.2 * -slope && end_slope >= -0.9 * -slope) return true;
+    if (nonnull(watch_.start)) return true;
     if (!start) start = problem_.potential(*from);
     const Potential end = problem_.potential(*tpetra(group.getX()));
     const double noise = 1e-14 * (start->magnitude + end.magnitude);
@@ -103,12 +113,28 @@ bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, con
     // A cycle never halves |f|.
     const bool done = end_slope <= -0.9 * slope || group.getNormF() <= 0.5 * old.getNormF();
     if (hidden ? done || ++hidden_cuts > shortenings : end.value <= start->value + 1e-4 * step * slope) return true;
+    if (mixed && !hidden && !cut_) {
+      watch_ = {Teuchos::rcp(new Vector(*from, Teuchos::Copy)), start->value, 0};
+      return true;
+    }
     step *=
         hidden ? zero_between(slope, end_slope) : valley({start->value, step * slope}, {end.value, step * end_slope});
     cut_ = true;
   }
   step = 0;  // tells NOX that the search failed
   return false;
+}
+
+void AdmissibleLineSearch::watch(NOX::Abstract::Group& group) {
+  if (problem_.potential(*tpetra(group.getX())).value <= watch_.potential) {
+    watch_.start = Teuchos::null;
+    return;
+  }
+  if (++watch_.steps < watched_steps) return;
+  go(group, *watch_.start);
+  group.computeF();
+  problem_.leave_mixed_steps(false);
+  watch_.start = Teuchos::null;
 }
 
 double AdmissibleLineSearch::slope_at(NOX::Abstract::Group& group, const Line& line, double step) const {

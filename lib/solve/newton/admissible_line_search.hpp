@@ -26,6 +26,11 @@ namespace ixos {
 /// of the first to the end of the second, at most 81 times as far. It stays there if the potential has fallen, or if
 /// |f| has while rounding hides the change of the potential (parallel tangents: Shah, Buehler and Kempthorne 1964).
 ///
+/// Where a problem has mixed steps, the search does not shorten a step whose potential rises but watches: if the
+/// potential is below that of the first such step's start within five steps, they were good; if not, it returns there,
+/// and the rest of the solve has no mixed steps (the watchdog technique: Chamberlain, Powell, Lemarechal and Pedersen
+/// 1982, Math. Program. Study 16). Without a potential the first five steps are not shortened.
+///
 /// If the residual has kinks without being a gradient, secants shorten the step, at most six times, until the slope
 /// along the direction is at most 0.8 of the start's magnitude.
 class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
@@ -44,8 +49,9 @@ class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
   struct Slopes {
     double start, end;
   };
+  /// `number`: of iterations before this one.
   bool search(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
-              const NOX::Abstract::Group& old);
+              const NOX::Abstract::Group& old, int number);
   /// Takes the group to a place of the line and returns the slope of the potential there; NaN if that is not possible.
   double slope_at(NOX::Abstract::Group& group, const Line& line, double step) const;
   /// Lengthens a step of 1. Returns the step; the group is there.
@@ -53,7 +59,17 @@ class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
   /// Goes on along the ravine from the group, where the last two steps, which were shortened, have led from `start`.
   void follow_ravine(NOX::Abstract::Group& group, const Vector& start) const;
 
+  /// Ends the watch if the potential at the group is below where it began, or returns there.
+  void watch(NOX::Abstract::Group& group);
+
   NonlinearProblem& problem_;
+  /// Where steps that raise the potential began.
+  struct Watch {
+    Teuchos::RCP<const Vector> start;  ///< null: none is watched
+    double potential = 0;              ///< there
+    int steps = 0;                     ///< since
+  };
+  Watch watch_;
   bool cut_ = false;                      ///< the step was shortened because the potential did not fall
   Teuchos::RCP<const Vector> cut_start_;  ///< where the last step began, if it was shortened so
 };

@@ -125,6 +125,13 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
 
 }  // namespace
 
+bool allows_mixed_steps(const NewtonOptions& options) {
+  const auto is_own = [&](const char* list) {
+    return !options.nox.isSublist(list) || !options.nox.sublist(list).isParameter("Method");
+  };
+  return options.mixed_steps && is_own("Direction") && is_own("Line Search");
+}
+
 struct NewtonSolver::Implementation {
   Implementation(NonlinearProblem& given, const LinearSolverFactory& linear_solver, const NewtonOptions& options)
       : problem(given),

@@ -29,8 +29,12 @@ struct NewtonOptions {
   /// Further iterations of an Integrator without inertia: a body that snaps goes a long way down the potential to its
   /// next equilibrium.
   int snap_iterations = 1000;
+  bool mixed_steps = true;                            ///< see NonlinearProblem::has_mixed_steps()
   std::function<void(const NewtonIterate&)> watch{};  ///< called for each iterate, on every rank; may be empty
 };
+
+/// Returns whether a problem may have mixed steps: another line search or direction of NOX knows nothing of them.
+bool allows_mixed_steps(const NewtonOptions& options);
 
 /// The result of a solve. A failure is a status, not an exception.
 struct NewtonResult {

@@ -47,6 +47,12 @@ class NonlinearProblem {
   /// the identity besides. For directions of descent when the exact tangent gives none.
   virtual void relax_tangent(int /*level*/) {}
 
+  /// Returns whether tangents depend on the iterate before, too, such that full steps are good although the potential
+  /// rises in some of them.
+  virtual bool has_mixed_steps() const { return false; }
+  /// Takes the next tangent without an iterate before; if not `again`, all that follow in this solve.
+  virtual void leave_mixed_steps(bool /*again*/) {}
+
   /// Returns the number, from 0, of this problem among several that take turns: iteration counts with a shared
   /// preconditioner are compared within a family.
   virtual int family() const { return 0; }

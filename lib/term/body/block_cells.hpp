@@ -73,18 +73,24 @@ template <class Kernel>
 class GatheredSegment {
  public:
   GatheredSegment(const ElementBatches<Kernel::N, Kernel::D>& batches, std::size_t b, const Segment& segment)
-      : has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+      : has_from_(segment.from != nullptr),
+        has_velocity_(segment.velocity != nullptr),
+        has_iterate_(segment.iterate != nullptr),
+        way_(segment.way) {
     batches.gather(b, segment.to, to_);
     if (has_from_) batches.gather(b, segment.from, from_);
     if (has_velocity_) batches.gather(b, segment.velocity, velocity_);
+    if (has_iterate_) batches.gather(b, segment.iterate, iterate_);
   }
   typename Kernel::template Segment<Pack> segment() const {
-    return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_};
+    return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_,
+            has_iterate_ ? &iterate_ : nullptr, way_};
   }
 
  private:
-  bool has_from_, has_velocity_;
-  typename BlockCells<Kernel>::Nodal to_, from_, velocity_;
+  bool has_from_, has_velocity_, has_iterate_;
+  double way_;
+  typename BlockCells<Kernel>::Nodal to_, from_, velocity_, iterate_;
 };
 
 }  // namespace ixos

@@ -60,7 +60,8 @@ class StandardTerm final : public ElasticityIn<Space> {
   void add_kept_tangent(const Segment& segment, const Rule& rule, Tangent, const KeptPoints& kept,
                         double* values) const override {
     const auto& numbers = static_cast<const Kept&>(kept).numbers;
-    add_tangent(segment, rule, kept_size(rule) == 0 ? nullptr : numbers.data(), values);
+    const bool serves = kept_size(rule) > 0 && segment.iterate == nullptr;
+    add_tangent(segment, rule, serves ? numbers.data() : nullptr, values);
   }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
