@@ -18,6 +18,8 @@
 #include "completion.hpp"
 #include "console.hpp"
 #include "help.hpp"
+#include "io/child_process.hpp"
+#include "io/drawing.hpp"
 #include "ixos-study/advise.hpp"
 #include "ixos-study/scan.hpp"
 #include "parameters/assignments.hpp"
@@ -25,7 +27,6 @@
 #include "scene/read/parameters.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
-#include "study/common/child_process.hpp"
 #include "study/compare/study.hpp"
 #include "study/compare/study_result.hpp"
 #include "study/compare/study_runner.hpp"
@@ -206,6 +207,8 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--jobs", arguments.advice.jobs, "runs at the same time of --advise or --scan (default: 1)")
       ->type_name("NUMBER")
       ->check(CLI::Range(1, 1024));
+  app.add_flag_callback("--trust-geometry", ixos::trust_geometry,
+                        "let scripts of drawings (.geo) start programs and write files");
   app.add_flag("--parameters", arguments.parameters, "print every parameter of a study, as Markdown");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos-study in bash");
   app.add_flag("--version", arguments.version, "print the version");

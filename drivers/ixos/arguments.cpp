@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "completion.hpp"
 #include "help.hpp"
+#include "io/drawing.hpp"
 #include "parameters/assignments.hpp"
 #include "scene/explain/documentation.hpp"
 #include "scene/read/parameters.hpp"
@@ -98,6 +99,8 @@ void declare(CLI::App& app, Arguments& arguments) {
   accuracy->excludes(mesh);
   for (CLI::Option* other : {accuracy, restart, check, explain, mesh}) tries->excludes(other);
   add_verification(app, arguments, {accuracy, restart, check, explain, mesh, tries});
+  app.add_flag_callback("--trust-geometry", ixos::trust_geometry,
+                        "let scripts of drawings (.geo) start programs and write files");
   app.add_flag("--parameters", arguments.parameters, "print every parameter of a scene, as Markdown");
   app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos in bash");

@@ -56,6 +56,7 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
                              " exists; choose another name, or replace it with --overwrite");
   });
   Teuchos::ParameterList complete = ixos::complete_scene(scene);
+  ixos::on_first_rank(comm, [&] { ixos::prepare_drawings(complete.sublist("Mesh"), scene_folder(arguments)); });
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), scene_folder(arguments));
   ixos::on_first_rank(comm, [&] {
     ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name());

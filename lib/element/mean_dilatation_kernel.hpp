@@ -121,7 +121,8 @@ struct MeanDilatationKernel : CellKernel<Element> {
     T least_jacobian(1e300);
     std::vector<Mean<T>> means = dilatations(finite, geometry, segment, rule, least_jacobian);
     if (finite) add_pressures(law, geometry, segment, rule, means);
-    if (law.has_mixed_steps() && segment.iterate != nullptr) find_excess(material.lame.lambda, geometry, segment, rule, means);
+    if (law.has_mixed_steps() && segment.iterate != nullptr)
+      find_excess(material.lame.lambda, geometry, segment, rule, means);
     const T reference = Base::volume(geometry);
     Base::for_each_batch(geometry, [&](std::size_t first, std::size_t count) {
       const typename Base::template Ends<T> ends(geometry, first, count, segment);
@@ -241,11 +242,12 @@ struct MeanDilatationKernel : CellKernel<Element> {
       for (std::size_t k = 0; k < means.size(); ++k)
         for (std::size_t q = 0; q < count; ++q) {
           const Small<T, G> before = points.iterate_at(q, rule.points[k]), here = points.at(q, rule.points[k]);
-          const State<T> state(true, before, AtPoint::dilatation(true, before));
-          const Small<T, G> cofactors = state.cofactors();
+          const Small<T, G> f = deformation_gradient(before);
+          const T ratio = determinant(f);
+          const Small<T, G> g = inverse(f, ratio);
           T linear = AtPoint::dilatation(true, before) - AtPoint::dilatation(true, here);
           for (std::size_t i = 0; i < G; ++i)
-            for (std::size_t j = 0; j < G; ++j) linear += segment.way * cofactors[i][j] * (here[i][j] - before[i][j]);
+            for (std::size_t j = 0; j < G; ++j) linear += segment.way * ratio * g[j][i] * (here[i][j] - before[i][j]);
           means[k].excess += geometry.points[first + q].weight * kappa * linear;
         }
     });

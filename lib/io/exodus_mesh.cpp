@@ -61,7 +61,7 @@ MeshEntry exodus_mesh() {
   return mesh_file_entry("Exodus",
                          "A mesh read from an Exodus file: triangles and quadrilaterals (2D), tetrahedra, prisms, "
                          "pyramids and hexahedra (3D), of first or second order.",
-                         read_exodus_mesh);
+                         [](const SceneNode&, const std::string& path) { return read_exodus_mesh(path); });
 }
 
 }  // namespace ixos

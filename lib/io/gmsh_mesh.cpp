@@ -9,12 +9,14 @@
 
 #include "base/error.hpp"
 #include "fem/cell_info.hpp"
+#include "io/drawing.hpp"
 #include "io/file_cells.hpp"
 #include "io/mesh_file.hpp"
 #include "io/msh_file.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/normalize.hpp"
 #include "mesh/turned_cells.hpp"
+#include "parameters/validation.hpp"
 
 namespace ixos {
 namespace {
@@ -202,6 +204,16 @@ class Builder {
   FileCellReader reader_{mesh_};
 };
 
+const char* const drawing = "Drawing";
+
+/// `node`: a list of the entry.
+DrawnMesh mesh_of(const SceneNode& node, const std::string& path) {
+  DrawingOptions options = read_drawing(node.sublist(drawing));
+  options.dimension = node.count("Dimension");
+  options.length_unit = node.number("Length Unit");
+  return drawn_mesh(path, options);
+}
+
 }  // namespace
 
 Mesh read_gmsh_mesh(const std::string& path) {
@@ -215,11 +227,27 @@ Mesh read_gmsh_mesh(const std::string& path) {
 
 MeshEntry gmsh_mesh() {
   return mesh_file_entry(
-      "Gmsh",
+      gmsh_mesh_name,
       "A mesh read from a file of gmsh (MSH 4.1 or 2.2, ASCII or binary), of first or second order: triangles "
       "and quadrilaterals (2D), tetrahedra, prisms, pyramids and hexahedra (3D). Physical groups become "
-      "blocks, side sets and node sets of their names.",
-      read_gmsh_mesh);
+      "blocks, side sets and node sets of their names. The file may be a drawing (.geo, .step, .brep, .iges): gmsh, "
+      "which has to be installed, makes the mesh then.",
+      [](const SceneNode& node, const std::string& path) {
+        if (!is_drawing(path)) return read_gmsh_mesh(path);
+        const DrawnMesh drawn = mesh_of(node, path);
+        Mesh mesh;
+        at(path, [&] { mesh = read_gmsh_mesh(drawn.path); });
+        for (const std::string& warning : drawn.warnings)
+          mesh.notes.push_back(fmt::format("{}: gmsh warns: {}", path, warning));
+        return mesh;
+      },
+      [](Teuchos::ParameterList& list) {
+        declare_drawing(list.sublist(drawing, false, "What gmsh makes of a drawing; of no effect for a mesh."));
+      });
+}
+
+void prepare_drawing(const SceneNode& node) {
+  if (const std::string path = node.text("File"); is_drawing(path)) mesh_of(node, path);
 }
 
 }  // namespace ixos

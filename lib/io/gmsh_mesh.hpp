@@ -18,7 +18,13 @@ namespace ixos {
 /// the file's bytes.
 Mesh read_gmsh_mesh(const std::string& path);
 
-/// Returns the entry of the catalogue of meshes.
+inline constexpr const char* gmsh_mesh_name = "Gmsh";
+
+/// Returns the entry of the catalogue of meshes. It takes drawings, too, see drawn_mesh().
 MeshEntry gmsh_mesh();
+
+/// Lets gmsh make the mesh of the drawing that a list of that entry names, if it is one, so that others find it. Throws
+/// as drawn_mesh() does.
+void prepare_drawing(const SceneNode& node);
 
 }  // namespace ixos

@@ -8,7 +8,9 @@
 
 namespace ixos {
 
-MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence, Mesh (*read)(const std::string& path)) {
+MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence,
+                          const std::function<Mesh(const SceneNode& node, const std::string& path)>& read,
+                          const std::function<void(Teuchos::ParameterList& list)>& declare) {
   struct Parameters {
     std::string file = required;
     int dimension = 0;
@@ -22,9 +24,11 @@ MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence, 
       .add("Length Unit", &Parameters::length_unit,
            "Unit of the coordinates in the file [L0], for example \"1 um\". Ixos multiplies them by it.",
            greater_than(0));
-  return {{name, sentence, "", options.list(), [options, read](const SceneNode& node) {
+  Teuchos::ParameterList list = options.list();
+  if (declare) declare(list);
+  return {{name, sentence, "", list, [options, read](const SceneNode& node) {
              const Parameters p = options.read(node);
-             Mesh mesh = read(p.file);
+             Mesh mesh = read(node, p.file);
              at(p.file, [&] { refuse_repeated_cells(mesh); });
              if (p.dimension != 0 && p.dimension != mesh.dimension)
                node.refuse("File", fmt::format("{} is a mesh of {} dimensions, but the scene wants {}", p.file,

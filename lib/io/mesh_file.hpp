@@ -1,5 +1,6 @@
 /// Meshes that a scene reads from files.
 #pragma once
+#include <functional>
 #include <string>
 
 #include "mesh/generators/entry.hpp"
@@ -7,8 +8,11 @@
 namespace ixos {
 
 /// Returns an entry of the catalogue of meshes that reads a file. Its parameters are "File", a path that this process
-/// can open, "Dimension" and "Length Unit". `read`: reads the mesh; throws InputError with the path of the file.
-MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence, Mesh (*read)(const std::string& path));
+/// can open, "Dimension" and "Length Unit", and what `declare` adds. `read`: reads the mesh, given the entry's list,
+/// too; throws InputError with the path of the file.
+MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence,
+                          const std::function<Mesh(const SceneNode& node, const std::string& path)>& read,
+                          const std::function<void(Teuchos::ParameterList& list)>& declare = {});
 
 /// Returns whether the entry reads a file.
 bool reads_file(const MeshEntry& entry);

@@ -74,7 +74,8 @@ std::vector<std::string> interaction_names(const List& scene) {
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder, const GivenHistories& given)
     : Simulation(std::make_shared<Plan>(
                      Plan{Stages(scene, given), [folder](const List& list) { return with_files(list, folder); },
-                          [folder](List& list, bool bubbles) { return scene_mesh(list, folder, bubbles); }, given}),
+                          [folder](List& list, bool bubbles) { return scene_mesh(list, folder, bubbles); },
+                          [folder](const List& list) { prepare_drawings(list, folder); }, given}),
                  comm, {}) {}
 
 Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given)
@@ -89,7 +90,7 @@ Simulation::Plan Simulation::given_mesh_plan(const List& scene, const Mesh& mesh
           [d = mesh.dimension, axisymmetric = mesh.axisymmetric](const List& list) {
             return with_given_mesh(with_files(list, "."), d, axisymmetric);
           },
-          [kept, own](List& list, bool bubbles) { return scene_mesh(list, *own, bubbles); }, given};
+          [kept, own](List& list, bool bubbles) { return scene_mesh(list, *own, bubbles); }, [](const List&) {}, given};
 }
 
 Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins)
@@ -244,6 +245,7 @@ bool Simulation::some_stage_needs_bubbles() const {
 void Simulation::build_model(const Comm& comm, Inertia inertia) {
   const NamedScope scope("mesh and model");
   Mesh mesh;
+  on_first_rank(comm, [&] { plan_->prepare(parameters_.sublist("Mesh")); });
   together<InputError>(comm, [&] {
     mesh = plan_->make_mesh(parameters_.sublist("Mesh"), inertia == Inertia::Lumped || some_stage_needs_bubbles());
     for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
@@ -260,6 +262,10 @@ void Simulation::build_model(const Comm& comm, Inertia inertia) {
   const std::vector<double> sums = obstacle_file_checksums(parameters_);
   files.insert(files.end(), sums.begin(), sums.end());
   mesh_fingerprint_ = fingerprint(mesh, files);
+  together<InputError>(comm, [&, first = from_first_rank(comm, mesh_fingerprint_)] {
+    if (mesh_fingerprint_ != first)
+      throw InputError("the ranks read different meshes: all must see the same files, and the same cache of meshes");
+  });
   if (plan_->mesh.empty()) plan_->mesh = mesh_fingerprint_;
   if (plan_->mesh != mesh_fingerprint_)
     throw InputError(

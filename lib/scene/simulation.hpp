@@ -98,6 +98,7 @@ class Simulation {
     Stages stages;
     std::function<Teuchos::ParameterList(const Teuchos::ParameterList&)> with_files;
     std::function<Mesh(Teuchos::ParameterList& list, bool bubbles)> make_mesh;
+    std::function<void(const Teuchos::ParameterList& list)> prepare;  ///< before make_mesh, on the first rank
     GivenHistories given;
     std::vector<std::string> columns{};
     std::vector<int> owner{};  ///< the ranks of the nodes, if there are several stages

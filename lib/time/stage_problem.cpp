@@ -47,7 +47,7 @@ StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free, b
       has_mass_(model.mass() != nullptr),
       balance_(model),
       mixed_(mixed_steps && ixos::has_mixed_steps(model)),
-      rounding_error_((ixos::has_mixed_steps(model) ? 8 : 2) * std::numeric_limits<double>::epsilon()) {
+      rounding_error_((mixed_ ? 8 : 2) * std::numeric_limits<double>::epsilon()) {
   const auto local = static_cast<std::size_t>(model.space().local());
   for (std::vector<double>* array : {&u_, &bracket_, &direction_, &kept_}) array->resize(local);
   if (has_mass_) known_inertia_.resize(local);
@@ -104,7 +104,6 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   stage_time_ = time + stage_->end * dt;
   start_ = &known[0];
   step_ = &step;
-  if (mixed_) iterates_ = {known[0].u, {}, 0, false};
   ++arm_;
   has_potential_ = is_symmetric(model_, *stage_) && rates_are_gradients(model_, stage_->rate_form);
   const std::vector<KnownState> states = known_states(known, stage + 1);
@@ -229,6 +228,7 @@ void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<dou
 void StageProblem::move_to(const Vector& x) {
   model_.space().import(x, u_.data());
   at_u_ = {};
+  iterates_.is_last = false;
 }
 
 bool StageProblem::residual(const Vector& x, Vector& f) {

@@ -61,7 +61,8 @@ class StageProblem final : public NonlinearProblem {
   void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;
   void relax_tangent(int level) override;
-  bool has_mixed_steps() const override { return mixed_ && !iterates_.are_left; }
+  void begin_solve() override;
+  bool has_mixed_steps() const override { return mixed_ && !iterates_.are_left && iterates_.are_used; }
   void leave_mixed_steps(bool again) override;
   int family() const override { return static_cast<int>(stage_ - table_.stages.data()); }
 
@@ -134,6 +135,8 @@ class StageProblem final : public NonlinearProblem {
   struct Iterates {
     std::vector<double> last, before;
     int number = 0;         ///< of iterates that tangent() saw
+    bool is_last = false;   ///< u_ is `last`
+    bool are_used = false;  ///< by the last tangent()
     bool are_left = false;  ///< no more mixed steps in this solve
   };
   Iterates iterates_;

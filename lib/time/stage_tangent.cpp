@@ -16,29 +16,39 @@ void StageProblem::assemble(double* values) const {
   balance_.tangent(tangent_point(), weights(), tangent_kind(), at_u_.kept == arm_ ? &kept_points_ : nullptr, values);
 }
 
+void StageProblem::begin_solve() {
+  if (!mixed_) return;
+  iterates_ = {};
+  iterates_.last = start_->u;
+  tangent_at_ = {};
+}
+
 /// Takes u_ as Newton's iterate.
 void StageProblem::take_iterate() {
   const bool same = iterates_.number > 0 && iterates_.last == u_;
+  iterates_.is_last = true;
+  iterates_.are_used = relaxation_ <= 1;
   if (model_.space().minimum(same ? 1 : 0) > 0) return;
   iterates_.before = std::exchange(iterates_.last, u_);
   ++iterates_.number;
 }
 
 void StageProblem::leave_mixed_steps(bool again) {
-  iterates_ = {{}, {}, 2, !again};
+  iterates_ = {};
+  iterates_.number = 2;
+  iterates_.are_left = !again;
   tangent_at_ = {};
 }
 
 /// Returns where the tangent of the stage is taken. A strongly relaxed tangent is that of the force alone.
 BalancePoint StageProblem::tangent_point() const {
   BalancePoint at = point();
-  if (!has_mixed_steps() || relaxation_ > 1) return at;
+  if (!mixed_ || iterates_.are_left || relaxation_ > 1) return at;
   // On the way to prescribed values, residual() takes a tangent before Newton's method does.
-  const bool is_last = iterates_.number > 0 && iterates_.last == u_;
-  const std::vector<double>& before = is_last ? iterates_.before : iterates_.last;
+  const std::vector<double>& before = iterates_.is_last ? iterates_.before : iterates_.last;
   if (before.empty()) return at;
   at.elastic.iterate = before.data();
-  if (iterates_.number == (is_last ? 1 : 0)) at.elastic.way = 0;
+  if (iterates_.number == (iterates_.is_last ? 1 : 0)) at.elastic.way = 0;
   return at;
 }
 
@@ -74,7 +84,7 @@ bool StageProblem::is_at(const Vector& x) const {
 void StageProblem::tangent(const Vector& x, Operator& w) {
   const TimedScope timed(Phase::Tangent);
   if (!is_at(x)) move_to(x);
-  if (has_mixed_steps()) take_iterate();
+  if (mixed_ && !iterates_.are_left) take_iterate();
   if (nonnull(matrix_free_)) {
     if (!has_tangent()) linearize();
     return;

@@ -241,5 +241,15 @@ TEST_F(DriverRefusalTest, AFolderThatCannotBeWrittenIsExitStatusFour) {
   expect_refused(4, {ball, "--output", "/dev/null/out"}, "the results folder cannot be used");
 }
 
+// Before gmsh sees them, on one rank and on two.
+TEST_F(DriverRefusalTest, ScriptsOfDrawingsThatStartProgramsAreRefused) {
+  std::ofstream(folder_ + "/drawing.geo") << "SystemCall \"touch " << folder_ << "/out\";\n";
+  const std::string scene = std::string(IXOS_XML_DIRECTORY) + "/../meshes/pillar.xml";
+  expect_refused(
+      2, {scene, "--output", "out", "--set", "Mesh/Gmsh/File=" + folder_ + "/drawing.geo"},
+      "drawing.geo: line 1: \"SystemCall\" starts a program, which a drawing has no need of; if you know the "
+      "file, allow it with --trust-geometry");
+}
+
 }  // namespace
 }  // namespace ixos::test

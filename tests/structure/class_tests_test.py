@@ -32,6 +32,7 @@ elsewhere = {
     "fem/pyramid_functions.hpp": ("fem/cells/simplices_test.cpp", "as the functions of pyramids"),
     "fem/simplex_nodes.hpp": ("fem/cells/simplices_test.cpp", "places of nodes; sides in cell_info_test.cpp"),
     "fem/simplex_rules.hpp": ("fem/cells/simplices_test.cpp", "all rules; of triangles in cells/triangles_test.cpp"),
+    "io/geo_script.hpp": ("io/drawing_test.cpp", "scripts that start programs, and the files that they name"),
     "io/file_cells.hpp": ("io/gmsh_mesh_test.cpp", "gmsh's cells; those of Exodus in exodus_test.cpp"),
     "io/msh2_sections.hpp": ("io/gmsh_mesh_test.cpp", "files of gmsh"),
     "io/msh_nodes.hpp": ("io/msh_file_test.cpp", "messages; nodes in gmsh_mesh_test.cpp"),

@@ -4,12 +4,15 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/cell_order.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "scene/simulation.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
 #include "support/comparison.hpp"
+#include "support/scene_text.hpp"
 #include "support/simplices.hpp"
 #include "support/solids.hpp"
 #include "support/time_functions.hpp"
@@ -166,6 +169,58 @@ TEST(MixedStepsTest, WithoutAMatrixTheyAreTheSame) {
     EXPECT_LE(std::accumulate(applied.iterations.begin(), applied.iterations.end(), 0),
               2 * std::accumulate(assembled.iterations.begin(), assembled.iterations.end(), 0));
   }
+}
+
+/// Newton's iterations of the steps of a scene.
+int iterations(Simulation& simulation, int steps) {
+  int sum = 0;
+  for (int step = 0; step < steps; ++step) {
+    const StepResult result = simulation.integrator().step(simulation.step_control().time_step);
+    EXPECT_TRUE(result.converged) << result.reason;
+    sum += result.newton_iterations;
+  }
+  return sum;
+}
+
+// The block that squeezed() shears, of each law of rubber.
+TEST(MixedStepsTest, LawsOfRubberTakeAsManyIterationsAtAnyPoissonsRatio) {
+  using namespace test;
+  const auto taken = [](const std::string& law, const std::string& volumetric, double nu) {
+    const auto condition = [](const std::string& name, const std::string& set, const std::string& components,
+                              const std::string& history) {
+      return list(name, word("Node Set", set) + word("Components", components) +
+                            (history.empty() ? "" : word("History", history)));
+    };
+    const Teuchos::ParameterList text =
+        scene(list("Mesh", word("Type", "Box") + count("Cell Order", 2) + list("Box", counts("Divisions", {6, 6}))) +
+              list("Materials",
+                   list("Body", word("Model", law) + word("Element Formulation", "Mean Dilatation") +
+                                    list(law, number("Poisson's Ratio", nu) + word("Volumetric Energy", volumetric)))) +
+              list("Histories", expression("Aside", "0.3*t", "0.3", "0")) +
+              list("Boundary Conditions", condition("Foot", "bottom", "all", "") + condition("Held", "top", "y", "") +
+                                              condition("Head", "top", "x", "Aside")) +
+              time_integrator("Static", 0.2, 1));
+    Simulation simulation(text, world());
+    return iterations(simulation, 5);
+  };
+  for (const char* law : {"Mooney-Rivlin", "Yeoh", "Gent", "Ogden"})
+    for (const char* volumetric : {"Logarithm", "Convex"})
+      EXPECT_LE(taken(law, volumetric, 0.49999), taken(law, volumetric, 0.3) + 10) << law << ' ' << volumetric;
+}
+
+TEST(MixedStepsTest, ABodyThatSticksToAWallPullsAsWithPlainSteps) {
+  const auto pulled = [](const char* mixed) {
+    Simulation simulation(test::scene_file("jkr.xml", {"Materials/Sphere/Poisson's Ratio=0.4999",
+                                                       "Materials/Sphere/Element Formulation=Mean Dilatation",
+                                                       std::string("Nonlinear Solver/Mixed Steps=") + mixed}),
+                          test::world());
+    const int taken = iterations(simulation, 30);
+    return std::pair{taken, test::gathered(simulation.model(), simulation.integrator().state().u)};
+  };
+  const auto mixed = pulled("true"), plain = pulled("false");
+  ASSERT_EQ(mixed.second.size(), plain.second.size());
+  for (std::size_t i = 0; i < mixed.second.size(); ++i) EXPECT_NEAR(mixed.second[i], plain.second[i], 1e-7);
+  EXPECT_LE(mixed.first, plain.first + 30);
 }
 
 }  // namespace

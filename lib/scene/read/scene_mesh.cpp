@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "io/gmsh_mesh.hpp"
 #include "io/mesh_file.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/generators/given.hpp"
@@ -65,11 +66,17 @@ void find_file(Teuchos::ParameterList& body, const std::string& scene_folder) {
   path = path_beside(scene_folder, path);
 }
 
-void find_files(Teuchos::ParameterList& mesh, const std::string& scene_folder) {
-  if (mesh.get<std::string>(meshes().choice()) != parts_mesh_name) return find_file(mesh, scene_folder);
+/// Calls visit(list) for the list of the mesh, or of each of its parts.
+template <class Visit>
+void for_each_body(Teuchos::ParameterList& mesh, const Visit& visit) {
+  if (mesh.get<std::string>(meshes().choice()) != parts_mesh_name) return visit(mesh);
   Teuchos::ParameterList& parts = mesh.sublist(parts_mesh_name);
   for (const auto& [name, entry] : entries(parts))
-    if (entry.isList()) find_file(parts.sublist(name), scene_folder);
+    if (entry.isList()) visit(parts.sublist(name));
+}
+
+void find_files(Teuchos::ParameterList& mesh, const std::string& scene_folder) {
+  for_each_body(mesh, [&](Teuchos::ParameterList& body) { find_file(body, scene_folder); });
 }
 
 }  // namespace
@@ -89,6 +96,14 @@ bool needs_bubbles(const Teuchos::ParameterList& scene) {
   };
   const auto found = std::find_if(schemes().begin(), schemes().end(), chosen);
   return found != schemes().end() && found->table(found->parameters).mass == Inertia::Lumped;
+}
+
+void prepare_drawings(Teuchos::ParameterList list, const std::string& scene_folder) {
+  find_files(list, scene_folder);
+  for_each_body(list, [](Teuchos::ParameterList& body) {
+    const SceneNode node(body, "Mesh");
+    if (meshes().chosen(node).name == gmsh_mesh_name) prepare_drawing(node.sublist(gmsh_mesh_name));
+  });
 }
 
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder, bool bubbles) {

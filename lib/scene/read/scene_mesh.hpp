@@ -20,6 +20,10 @@ constexpr const char* cell_order = "Cell Order";
 /// Returns whether a list "Mesh" chooses a body of revolution.
 bool is_axisymmetric(const Teuchos::ParameterList& mesh);
 
+/// Lets gmsh make the meshes of the drawings in a validated "Mesh" list, so that scene_mesh() finds them on all ranks.
+/// For the first rank: gmsh runs once. Throws as drawn_mesh() does.
+void prepare_drawings(Teuchos::ParameterList list, const std::string& scene_folder);
+
 /// Makes the mesh of a validated "Mesh" list, with its order of cells and its map; it has passed check_cells(). Looks
 /// for a mesh file in the working folder, then in `scene_folder`. `bubbles`: quadratic cells get the nodes of those
 /// with bubbles, see raised_type(). Throws InputError with the list path.

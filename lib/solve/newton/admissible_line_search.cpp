@@ -126,11 +126,13 @@ bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, con
 }
 
 void AdmissibleLineSearch::watch(NOX::Abstract::Group& group) {
-  if (problem_.potential(*tpetra(group.getX())).value <= watch_.potential) {
+  const Potential here = problem_.potential(*tpetra(group.getX()));
+  if (here.value <= watch_.potential + 1e-14 * here.magnitude) {
     watch_.start = Teuchos::null;
     return;
   }
-  if (++watch_.steps < watched_steps) return;
+  const bool ends = group.getNormF() <= problem_.convergence_bound(tolerance_) || problem_.is_lost();
+  if (++watch_.steps < watched_steps && !ends) return;
   go(group, *watch_.start);
   group.computeF();
   problem_.leave_mixed_steps(false);

@@ -27,15 +27,17 @@ namespace ixos {
 /// |f| has while rounding hides the change of the potential (parallel tangents: Shah, Buehler and Kempthorne 1964).
 ///
 /// Where a problem has mixed steps, the search does not shorten a step whose potential rises but watches: if the
-/// potential is below that of the first such step's start within five steps, they were good; if not, it returns there,
-/// and the rest of the solve has no mixed steps (the watchdog technique: Chamberlain, Powell, Lemarechal and Pedersen
-/// 1982, Math. Program. Study 16). Without a potential the first five steps are not shortened.
+/// potential is below that of the first such step's start within five steps, they were good; if not, or if they end at
+/// an equilibrium above it or far away, it returns there, and the rest of the solve has no mixed steps (the watchdog
+/// technique: Chamberlain, Powell, Lemarechal and Pedersen 1982, Math. Program. Study 16). Without a potential the
+/// first five steps are not shortened.
 ///
 /// If the residual has kinks without being a gradient, secants shorten the step, at most six times, until the slope
 /// along the direction is at most 0.8 of the start's magnitude.
 class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
  public:
-  explicit AdmissibleLineSearch(NonlinearProblem& problem) : problem_(problem) {}
+  /// `tolerance`: that of |f|, see NonlinearProblem::convergence_bound().
+  AdmissibleLineSearch(NonlinearProblem& problem, double tolerance) : problem_(problem), tolerance_(tolerance) {}
   bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                const NOX::Solver::Generic& solver) override;
 
@@ -49,7 +51,7 @@ class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
   struct Slopes {
     double start, end;
   };
-  /// `number`: of iterations before this one.
+  /// `number`: of this iteration, from 1.
   bool search(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
               const NOX::Abstract::Group& old, int number);
   /// Takes the group to a place of the line and returns the slope of the potential there; NaN if that is not possible.
@@ -63,6 +65,7 @@ class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
   void watch(NOX::Abstract::Group& group);
 
   NonlinearProblem& problem_;
+  double tolerance_;
   /// Where steps that raise the potential began.
   struct Watch {
     Teuchos::RCP<const Vector> start;  ///< null: none is watched
@@ -77,14 +80,15 @@ class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
 /// A factory that gives NOX the line search for a problem.
 class AdmissibleLineSearchFactory final : public NOX::LineSearch::UserDefinedFactory {
  public:
-  explicit AdmissibleLineSearchFactory(NonlinearProblem& problem) : problem_(problem) {}
+  AdmissibleLineSearchFactory(NonlinearProblem& problem, double tolerance) : problem_(problem), tolerance_(tolerance) {}
   Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(const Teuchos::RCP<NOX::GlobalData>&,
                                                          Teuchos::ParameterList&) const override {
-    return Teuchos::rcp(new AdmissibleLineSearch(problem_));
+    return Teuchos::rcp(new AdmissibleLineSearch(problem_, tolerance_));
   }
 
  private:
   NonlinearProblem& problem_;
+  double tolerance_;
 };
 
 }  // namespace ixos

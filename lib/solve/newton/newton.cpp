@@ -117,7 +117,7 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
   if (!search.isParameter("Method")) {
     search.set("Method", "User Defined");
     const Teuchos::RCP<NOX::LineSearch::UserDefinedFactory> factory =
-        Teuchos::rcp(new AdmissibleLineSearchFactory(problem));
+        Teuchos::rcp(new AdmissibleLineSearchFactory(problem, options.tolerance));
     search.set("User Defined Line Search Factory", factory);
   }
   return list;
@@ -158,6 +158,7 @@ struct NewtonSolver::Implementation {
 
   NewtonResult run() {
     if (solver.is_null()) build();
+    problem.begin_solve();
     solver->reset(NOX::Thyra::Vector(guess));
     const NOX::StatusTest::StatusType status = solver->solve();
     NewtonResult result;
@@ -209,7 +210,7 @@ struct NewtonSolver::Implementation {
   /// Returns the keeper of the linear solver's state; null if it keeps none.
   const StateKeeper* keeper() const { return dynamic_cast<const StateKeeper*>(linear.get()); }
 
-  const NonlinearProblem& problem;
+  NonlinearProblem& problem;
   int maximum_iterations;
   bool corrects;
   ProblemEvaluator::Factory linear;

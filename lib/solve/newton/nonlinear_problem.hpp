@@ -47,8 +47,10 @@ class NonlinearProblem {
   /// the identity besides. For directions of descent when the exact tangent gives none.
   virtual void relax_tangent(int /*level*/) {}
 
-  /// Returns whether tangents depend on the iterate before, too, such that full steps are good although the potential
-  /// rises in some of them.
+  /// Tells that a solve begins: what it keeps from iterate to iterate is of no use for it.
+  virtual void begin_solve() {}
+  /// Returns whether the last tangent depends on the iterate before, too, such that full steps are good although the
+  /// potential rises in some of them.
   virtual bool has_mixed_steps() const { return false; }
   /// Takes the next tangent without an iterate before; if not `again`, all that follow in this solve.
   virtual void leave_mixed_steps(bool /*again*/) {}

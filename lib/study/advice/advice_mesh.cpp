@@ -6,7 +6,10 @@
 #include <Teuchos_Array.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "io/drawing.hpp"
+#include "io/gmsh_mesh.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "study/common/tuning.hpp"
 
@@ -55,6 +58,29 @@ std::string add_counts(const List& mesh, const std::string& path, std::vector<Ce
   return {};
 }
 
+/// Returns the path of the factor of all sizes of a drawing; empty if the mesh is not made of one.
+std::string size_factor(const List& mesh) {
+  if (mesh.get<std::string>("Type") != gmsh_mesh_name) return {};
+  return is_drawing(mesh.sublist(gmsh_mesh_name).get<std::string>("File")) ? "Mesh/Gmsh/Drawing/Size Factor" : "";
+}
+
+/// Returns the levels of a drawing: gmsh makes all cells larger or smaller.
+MeshLevels drawing_levels(const List& mesh, const std::string& path) {
+  const List& gmsh = mesh.sublist(gmsh_mesh_name);
+  const double factor = gmsh.sublist("Drawing").get<double>("Size Factor");
+  MeshLevels result;
+  const int dimension = gmsh.get<int>("Dimension");
+  result.dimension = dimension > 0                                                                ? dimension
+                     : std::filesystem::path(gmsh.get<std::string>("File")).extension() == ".geo" ? 2
+                                                                                                  : 3;
+  for (int k = -tuning::coarser_meshes; k <= tuning::finer_meshes; ++k) {
+    const double size = std::pow(2.0, -k);
+    result.levels.push_back({fmt::format("sizes x {}", size), size, {fmt::format("{}={}", path, factor * size)}});
+  }
+  result.scene_level = static_cast<std::size_t>(tuning::coarser_meshes);
+  return result;
+}
+
 /// Returns the level with 2^k times the numbers along an edge; one without settings if they are no whole numbers.
 AdviceLevel level(const std::vector<CellCount>& counts, int k) {
   AdviceLevel result{"", std::pow(2.0, -k), {}};
@@ -80,6 +106,7 @@ AdviceLevel level(const std::vector<CellCount>& counts, int k) {
 }  // namespace
 
 MeshLevels mesh_levels(const List& mesh) {
+  if (const std::string path = size_factor(mesh); !path.empty()) return drawing_levels(mesh, path);
   MeshLevels result;
   std::vector<CellCount> counts;
   result.note = add_counts(mesh, "Mesh", counts, result.dimension);

@@ -12,8 +12,8 @@
 #include <type_traits>
 
 #include "base/error.hpp"
+#include "io/child_process.hpp"
 #include "io/disk_file.hpp"
-#include "study/common/child_process.hpp"
 
 namespace ixos {
 namespace {

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "io/child_process.hpp"
 #include "io/disk_file.hpp"
-#include "study/common/child_process.hpp"
 #include "study/restart/compare_results.hpp"
 
 namespace ixos {

@@ -14,9 +14,9 @@ class BatchEnds {
   using Cells = BodyCells<Space>;
   BatchEnds(const Cells& cells, const Segment& segment)
       : cells_(cells),
-        ends_(cells.points(), segment),
         at_iterate_(segment.iterate),
         way_(segment.way),
+        ends_(cells.points(), segment),
         iterate_(segment.iterate != nullptr ? cells.points() : 0) {}
 
   /// Finds those of a batch, which hold until the next call.
@@ -30,9 +30,9 @@ class BatchEnds {
 
  private:
   const Cells& cells_;
-  EndScratch<Small<Pack, Space::G>> ends_;
   const double* at_iterate_;
   double way_;
+  EndScratch<Small<Pack, Space::G>> ends_;
   Scratch<Small<Pack, Space::G>> iterate_;
 };
 

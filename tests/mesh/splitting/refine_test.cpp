@@ -8,8 +8,6 @@
 #include <set>
 
 #include "base/small_matrix.hpp"
-#include "fem/jacobian.hpp"
-#include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/cell_sides.hpp"
@@ -19,6 +17,7 @@
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
 #include "mesh/tied_nodes.hpp"
+#include "support/mesh_points.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos {
@@ -78,31 +77,6 @@ std::vector<NamedRegion> cases(int dimension, int number) {
   return {corner(dimension, 2, "x"), ball(dimension, 2)};
 }
 constexpr int all_cases = 5;
-
-/// Calls f(value at each node, gradient det, points) for the integration points of all cells.
-template <class F>
-void for_each_point(const Mesh& mesh, const F& f) {
-  for (const ElementBlock& block : mesh.blocks)
-    with_element(block.type, [&](auto tag) {
-      using Element = typename decltype(tag)::type;
-      const ShapeTable<Element> table(own_rule<Element>(), 0U);
-      std::array<double, Element::nodes> scale;
-      scale.fill(1);
-      for (int cell = 0; cell < block.cells(); ++cell) {
-        const int* nodes = &block.nodes[cell_entry(cell, Element::nodes)];
-        for (std::size_t q = 0; q < table.size(); ++q)
-          f(nodes, table.value[q].data(), static_cast<std::size_t>(Element::nodes),
-            table.weight[q] *
-                determinant(jacobian<Element::dimension>(mesh.coordinates, nodes, scale, table.gradient[q])));
-      }
-    });
-}
-
-double volume(const Mesh& mesh) {
-  double sum = 0;
-  for_each_point(mesh, [&](const int*, const double*, std::size_t, double weight) { sum += weight; });
-  return sum;
-}
 
 /// The field at all nodes, tied ones by their ties.
 std::vector<double> field(const Mesh& mesh, const std::function<double(const double*)>& f) {
@@ -173,7 +147,7 @@ TEST(RefineTest, CellsFillTheBodyOnceAndAreSound) {
         EXPECT_GT(mesh.cells(), cells);
         EXPECT_FALSE(mesh.ties.empty());
         check_cells(mesh);
-        EXPECT_NEAR(volume(mesh), dimension == 2 ? 6 : 12, 1e-12);
+        EXPECT_NEAR(test::volume(mesh), dimension == 2 ? 6 : 12, 1e-12);
         for (const int part : connected_parts(mesh)) EXPECT_EQ(part, connected_parts(mesh).front());
         double area = 0;
         std::set<std::array<int, 3>> on_surface;
@@ -198,7 +172,7 @@ TEST(RefineTest, FieldsAreContinuousAcrossHangingSides) {
         Mesh mesh = turned_grid(dimension, order);
         refine(mesh, cases(dimension, number), order);
         check_cells(mesh);
-        EXPECT_NEAR(volume(mesh), dimension == 2 ? 6 : 12, 1e-12);
+        EXPECT_NEAR(test::volume(mesh), dimension == 2 ? 6 : 12, 1e-12);
         const std::vector<double> values = rough_field(mesh);
         ASSERT_FALSE(mesh.hanging_sides.empty());
         int compared = 0;

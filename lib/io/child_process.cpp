@@ -1,4 +1,4 @@
-#include "study/common/child_process.hpp"
+#include "io/child_process.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -72,10 +72,19 @@ ChildProcess::~ChildProcess() {
   waitpid(pid_, nullptr, 0);
 }
 
-bool ChildProcess::ended(ChildOutcome& outcome) {
+bool ChildProcess::ended(ChildOutcome& outcome) { return ended(outcome, WNOHANG); }
+
+ChildOutcome ChildProcess::wait() {
+  ChildOutcome outcome;
+  while (!ended(outcome, 0)) {  // a signal came
+  }
+  return outcome;
+}
+
+bool ChildProcess::ended(ChildOutcome& outcome, int options) {
   int status = 0;
   rusage usage{};
-  const pid_t found = wait4(pid_, &status, WNOHANG, &usage);
+  const pid_t found = wait4(pid_, &status, options, &usage);
   if (found < 0 && errno != EINTR) throw std::runtime_error("a child process is lost");
   if (found != pid_) return false;
   pid_ = -1;

@@ -29,11 +29,14 @@ class ChildProcess {
 
   /// Returns whether the child has ended, and fills in the outcome then. Does not wait.
   bool ended(ChildOutcome& outcome);
+  ChildOutcome wait();  ///< Waits for the end.
   void send(int signal) const;
   double age() const;                ///< wall-clock seconds since it was started
   double processor_seconds() const;  ///< so far; 0 if the child has ended
 
  private:
+  bool ended(ChildOutcome& outcome, int options);
+
   pid_t pid_;
   std::chrono::steady_clock::time_point start_;
 };

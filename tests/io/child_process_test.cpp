@@ -1,5 +1,5 @@
 // A program that runs beside this one. tests/drivers/study_test.cpp has its limits and failures.
-#include "study/common/child_process.hpp"
+#include "io/child_process.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,75 @@
+"""Cook's membrane near Poisson's ratio 1/2: deflection, ripple of the pressure, and Newton's iterations, by cells."""
+import numpy
+from netCDF4 import Dataset  # pylint: disable=no-name-in-module
+
+from .. import bodies
+from ..table import Column, Table
+
+PAGE = "docs/results/elements.md"
+RATIOS = (0.3, 0.4999, 0.49999)
+DRAWING = "Mesh/Gmsh/Drawing"
+TRIANGLE, QUADRILATERAL = ((0, 1), (1, 2), (2, 0)), ((0, 1), (1, 2), (2, 3), (3, 0))
+# By mesh: its sides by corners, and whether it is structured and of triangles, for the drawing.
+MESHES = {"structured quadrilaterals": (QUADRILATERAL, 1, 0), "structured triangles": (TRIANGLE, 1, 1),
+          "gmsh's triangles": (TRIANGLE, 0, 1)}
+SCENE, WIDTH, SHEAR = "meshes/cook.xml", 48, 80.194  # mm, MPa
+STANDARD, MEAN = "Standard", "Mean Dilatation"
+CELLS = (("structured quadrilaterals", 1, STANDARD), ("structured quadrilaterals", 1, MEAN),
+         ("structured quadrilaterals", 2, STANDARD), ("structured quadrilaterals", 2, MEAN),
+         ("structured triangles", 1, STANDARD), ("structured triangles", 2, STANDARD),
+         ("structured triangles", 2, MEAN), ("gmsh's triangles", 2, STANDARD), ("gmsh's triangles", 2, MEAN))
+
+
+def ripple(path, sides):
+    """Returns the root mean square of the jumps of tr(sigma) of cells with a common side, over that of tr(sigma)."""
+    with Dataset(path) as file:
+        names = [bytes(name.compressed()).decode().strip("\0 ") for name in file.variables["name_elem_var"][:]]
+        number = names.index("first_stress_invariant") + 1
+        values = numpy.asarray(file.variables[f"vals_elem_var{number}eb1"][-1])
+        nodes = numpy.asarray(file.variables["connect1"][:])
+    beside, jumps = {}, []
+    for cell, own in enumerate(nodes):
+        for side in sides:
+            other = beside.setdefault(frozenset(own[list(side)].tolist()), cell)
+            if other != cell:
+                jumps.append(values[cell] - values[other])
+    return float(numpy.sqrt(numpy.mean(numpy.square(jumps)) / numpy.mean(numpy.square(values))))
+
+
+def settings(mesh, order, formulation, ratio, divisions):
+    """Returns the settings of a run. The shear modulus is the same for all ratios."""
+    _, structured, triangles = MESHES[mesh]
+    return [f"{DRAWING}/Constants/structured={structured}", f"{DRAWING}/Constants/triangles={triangles}",
+            f"{DRAWING}/Constants/divisions={divisions // order}", f"{DRAWING}/Size={WIDTH / divisions * order} mm",
+            f"Mesh/Cell Order={order}", f"Materials/Rubber/Element Formulation={formulation}",
+            f"Materials/Rubber/Poisson's Ratio={ratio}",
+            f"Materials/Rubber/Young's Modulus={2 * SHEAR * (1 + ratio)} MPa"]
+
+
+def measure(context):
+    """Runs each kind of cells at each ratio, and the last ratio without mixed steps, too."""
+    rows = []
+    for mesh, order, formulation in context.pick(CELLS, CELLS[:2]):
+        row = {"mesh": mesh, "cells": f"{'linear' if order == 1 else 'quadratic'}, {formulation}"}
+        for ratio in context.pick(RATIOS, RATIOS[:2]):
+            own = settings(mesh, order, formulation, ratio, context.pick(16, 4))
+            summary = context.run(SCENE, own, frames=True)
+            row["dofs"] = summary["dofs"]
+            row[f"tip {ratio}"] = context.history()["corner_uy"][-1]
+            row[f"ripple {ratio}"] = ripple(context.folder / "run/fields.e", MESHES[mesh][0])
+            row[f"iterations {ratio}"] = summary["newton_iterations"] / summary["steps"]
+        plain = context.run(SCENE, [*own, "Nonlinear Solver/Mixed Steps=false"], allowed=(0, 3))
+        row["plain"] = plain["newton_iterations"] / plain["steps"] if plain["status"] == "completed" else "fails"
+        rows.append(row)
+    return rows
+
+
+TABLES = [
+    Table(name="elements-incompressible", page=PAGE, code=bodies.MECHANICS, minutes=1, measure=measure,
+          columns=[Column("mesh"), Column("cells"), Column("degrees of freedom", "{:,}", "dofs"),
+                   *(Column(f"{title} at {ratio}", form, f"{key} {ratio}")
+                     for title, form, key in (("deflection, mm", "{:.3f}", "tip"), ("ripple", "{:.3f}", "ripple"),
+                                              ("iterations a step", "{:.1f}", "iterations"))
+                     for ratio in RATIOS),
+                   Column("without mixed steps", "{:.1f}", "plain")]),
+]
