@@ -70,7 +70,7 @@ class MeshesTest(unittest.TestCase):
             self.assertAlmostEqual(a, b, delta=1e-8)
 
     def test_sets_by_place_are_those_of_the_groups(self):
-        sets = blocks("xml")[1]
+        sets = next(block for block in blocks("xml") if block.lstrip().startswith('<ParameterList name="Sets">'))
         scene = SCENE.replace("<ParameterList name=\"Mesh\">", "<ParameterList name=\"Mesh\">" + sets)
         scene = scene.replace('value="foot"', 'value="underside"').replace('value="head"', 'value="upper end"')
         scene = scene.replace('value="{head}"', 'value="{upper end}"')
