@@ -93,9 +93,11 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--template", arguments.template_name,
                  fmt::format("print a complete, commented scene: {}", fmt::join(template_names(), " or ")))
       ->type_name("NAME");
-  CLI::Option* mesh = app.add_option("--write-mesh", arguments.mesh_file,
-                                     "write the scene's mesh to this Exodus file, but do not run it")
-                          ->type_name("FILE");
+  CLI::Option* mesh =
+      app.add_option(
+             "--write-mesh", arguments.mesh_file,
+             "write the scene's mesh to this file, of Exodus or, if it ends in .msh, of gmsh, but do not run it")
+          ->type_name("FILE");
   accuracy->excludes(mesh);
   for (CLI::Option* other : {accuracy, restart, check, explain, mesh}) tries->excludes(other);
   add_verification(app, arguments, {accuracy, restart, check, explain, mesh, tries});

@@ -20,8 +20,8 @@
 #include "base/memory.hpp"
 #include "base/printable.hpp"
 #include "console.hpp"
-#include "io/exodus_mesh.hpp"
 #include "io/hdf5_file.hpp"
+#include "io/mesh_file.hpp"
 #include "ixos/accuracy.hpp"
 #include "ixos/answers.hpp"
 #include "ixos/arguments.hpp"
@@ -59,7 +59,7 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
   ixos::on_first_rank(comm, [&] { ixos::prepare_drawings(complete.sublist("Mesh"), scene_folder(arguments)); });
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), scene_folder(arguments));
   ixos::on_first_rank(comm, [&] {
-    ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name());
+    ixos::write_mesh(mesh, arguments.mesh_file, complete.name());
     if (!mesh.ties.empty() && !arguments.quiet)
       ixos::console::say(
           "{} has {} nodes that follow others: they hang on coarser cells, or lie on periodic sides or tied surfaces. "

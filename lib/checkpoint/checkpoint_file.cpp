@@ -195,6 +195,11 @@ void CheckpointReader::array(const char* name, std::vector<double>& values) {
     if (ranks_ != space_.comm()->getSize())
       throw InputError(fmt::format("\"{}\" was written by {} rank(s), and cannot be read by {}", name, ranks_,
                                    space_.comm()->getSize()));
+    if (!same_partition_)
+      throw InputError(
+          fmt::format("\"{}\" was written with the nodes distributed or ordered otherwise, and cannot be "
+                      "read by this program",
+                      name));
     const Slab slab = share_slab(lengths(name), space_.comm()->getRank());
     if (slab.count != values.size())
       throw InputError(fmt::format("\"{}\" has {} values on rank {}, not {}", name, slab.count,

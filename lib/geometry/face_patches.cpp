@@ -58,6 +58,15 @@ void NodeWeights::add(int node, double weight) {
   weights.push_back(weight);
 }
 
+void NodeWeights::add(const NodeWeights& own, double factor) {
+  for (std::size_t k = 0; k < own.nodes.size(); ++k) add(own.nodes[k], factor * own.weights[k]);
+}
+
+double NodeWeights::weight(int node) const {
+  const auto found = std::find(nodes.begin(), nodes.end(), node);
+  return found == nodes.end() ? 0 : weights[static_cast<std::size_t>(found - nodes.begin())];
+}
+
 SurfacePatch<3> bilinear_patch(const std::array<int, 4>& corners) {
   SurfacePatch<3> patch;
   patch.count = 4;

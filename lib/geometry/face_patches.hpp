@@ -13,6 +13,10 @@ struct NodeWeights {
   std::vector<double> weights;
   /// Adds `weight` to the weight of the node.
   void add(int node, double weight);
+  /// Adds a multiple of other weights.
+  void add(const NodeWeights& own, double factor);
+  /// Returns the weight of a node, 0 if it has none.
+  double weight(int node) const;
 };
 
 /// The derivatives of a smooth face at a corner: by the lengths along the lines of the grid that belong to the first

@@ -14,23 +14,9 @@ namespace {
 template <int Order>
 std::vector<std::vector<double>> edge_polynomials() {
   using Edge = LagrangeEdge<Order>;
-  std::vector<std::vector<double>> result;
-  const auto place = [](std::size_t a) { return (1 + Edge::node(a)) / 2; };
-  for (std::size_t a = 0; a < Edge::nodes; ++a) {
-    std::vector<double> polynomial{1};  // the product of (t - t_b)/(t_a - t_b)
-    for (std::size_t b = 0; b < Edge::nodes; ++b) {
-      if (b == a) continue;
-      const double span = place(a) - place(b);
-      std::vector<double> next(polynomial.size() + 1, 0.0);
-      for (std::size_t k = 0; k < polynomial.size(); ++k) {
-        next[k] -= polynomial[k] * place(b) / span;
-        next[k + 1] += polynomial[k] / span;
-      }
-      polynomial = std::move(next);
-    }
-    result.push_back(polynomial);
-  }
-  return result;
+  std::vector<double> places;
+  for (std::size_t a = 0; a < Edge::nodes; ++a) places.push_back((1 + Edge::node(a)) / 2);
+  return lagrange_polynomials(places);
 }
 
 /// Returns the coefficients of a node's function, by power.
@@ -74,6 +60,25 @@ SurfacePatch<D> patch_of(const std::vector<int>& nodes, const std::vector<InnerN
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> lagrange_polynomials(const std::vector<double>& places) {
+  std::vector<std::vector<double>> result;
+  for (std::size_t a = 0; a < places.size(); ++a) {
+    std::vector<double> polynomial{1};  // the product of (t - t_b)/(t_a - t_b)
+    for (std::size_t b = 0; b < places.size(); ++b) {
+      if (b == a) continue;
+      const double span = places[a] - places[b];
+      std::vector<double> next(polynomial.size() + 1, 0.0);
+      for (std::size_t k = 0; k < polynomial.size(); ++k) {
+        next[k] -= polynomial[k] * places[b] / span;
+        next[k + 1] += polynomial[k] / span;
+      }
+      polynomial = std::move(next);
+    }
+    result.push_back(polynomial);
+  }
+  return result;
+}
 
 template <std::size_t D>
 SurfacePatch<D> lagrange_patch(const std::vector<int>& nodes, const std::vector<InnerNode>& tied) {

@@ -12,6 +12,11 @@ inline constexpr int most_points_on_a_side = 64;
 /// Returns the number of Gauss points per direction on a side of a pair: `asked`, or the default if that is 0.
 constexpr int points_on_a_side(int asked) { return asked > 0 ? asked : 5; }
 
+/// Returns that on a patch: half as many, rounded up, if the surface is cut, see SplitSides.
+constexpr int points_on_a_patch(int asked, bool is_split) {
+  return is_split ? (points_on_a_side(asked) + 1) / 2 : points_on_a_side(asked);
+}
+
 template <std::size_t D>
 struct PatchPoint {
   PatchParameters<D> xi;

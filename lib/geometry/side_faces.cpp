@@ -10,6 +10,7 @@
 #include "geometry/face_patches.hpp"
 #include "geometry/lagrange_patches.hpp"
 #include "geometry/spline_faces.hpp"
+#include "geometry/split_sides.hpp"
 #include "geometry/surface_patches.hpp"
 #include "mesh/side_grid.hpp"
 
@@ -130,11 +131,54 @@ SurfacePatch<3> spline_face(const SplineFaces& splines, int face, const SideGrid
   }
 }
 
+/// Returns the ends of a face's edges, by side of its patch.
+std::array<std::array<int, 2>, 4> edges_of(const SideGrid::Face& c) {
+  return {{{c[0], c[3]}, {c[1], c[2]}, {c[0], c[1]}, {c[3], c[2]}}};
+}
+
+bool is_linear(const std::vector<LocalSide>& sides) { return sides.empty() || sides.front().nodes.size() <= 4; }
+
+void refuse_hanging_nodes(const LocalMesh& mesh, const std::vector<int>& nodes, const std::string& name) {
+  if (std::none_of(nodes.begin(), nodes.end(), [&](int node) { return mesh.is_tied(node); })) return;
+  throw InputError(
+      fmt::format("the surface \"{}\" has hanging nodes, where cells of two sizes meet: curved patches do not close "
+                  "there. Use Smoothing \"None\", or quadratic cells, whose own curved sides close",
+                  name));
+}
+
+/// Returns a surface with triangles.
+SurfacePatches<3> split_surface(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
+                                const std::string& name) {
+  if (smoothing == Smoothing::Spline && is_linear(sides))
+    throw InputError(
+        fmt::format("the surface \"{}\" has triangles; Smoothing \"Spline\" needs four-sided faces, of whose grid it "
+                    "makes a spline. "
+                    "Use \"Catmull-Rom\" or \"None\"",
+                    name));
+  SurfacePatches<3> whole = surface_of_sides<3>(mesh, sides, name), surface;
+  if (smoothing != Smoothing::None && is_linear(sides)) refuse_hanging_nodes(mesh, whole.nodes, name);
+  SplitSides split = split_sides(mesh, sides, whole.nodes, smoothing == Smoothing::CatmullRom, name);
+  const SideGrid grid(std::move(split.faces), split.x, name, split.numbers);
+  surface.nodes = std::move(whole.nodes);
+  surface.patches = std::move(split.patches);
+  for (std::size_t p = 0; p < surface.patches.size(); ++p) {
+    const auto edges = edges_of(grid.faces()[p]);
+    for (std::size_t s = 0; s < 4; ++s)
+      surface.patches[p].neighbours[s] = grid.across(static_cast<int>(p), edges[s][0], edges[s][1]);
+    const auto side = static_cast<std::size_t>(split.side[p]);
+    surface.owned.push_back(whole.owned[side]);
+    surface.sides.push_back(whole.sides[side]);
+    surface.part.push_back(p > 0 && split.side[p - 1] == split.side[p] ? surface.part.back() + 1 : 0);
+  }
+  return surface;
+}
+
 }  // namespace
 
 template <>
 SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
                                      const std::string& name) {
+  if (has_triangles(mesh, sides)) return split_surface(mesh, sides, smoothing, name);
   SurfacePatches<3> surface = surface_of_sides<3>(mesh, sides, name);
   std::vector<SideGrid::Face> faces;
   for (const LocalSide& side : sides) {
@@ -149,20 +193,15 @@ SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<Lo
     numbers.push_back(mesh.message_number(static_cast<std::size_t>(node)));
   }
   const SideGrid grid(std::move(faces), x, name, numbers);
-  const bool is_linear = sides.empty() || sides.front().nodes.size() == 4;
-  const bool smooth = smoothing != Smoothing::None && is_linear;
-  if (smooth && std::any_of(surface.nodes.begin(), surface.nodes.end(), [&](int node) { return mesh.is_tied(node); }))
-    throw InputError(
-        fmt::format("the surface \"{}\" has hanging nodes, where cells of two sizes meet: curved patches do not close "
-                    "there. Use Smoothing \"None\", or quadratic cells, whose own curved sides close",
-                    name));
+  const bool smooth = smoothing != Smoothing::None && is_linear(sides);
+  if (smooth) refuse_hanging_nodes(mesh, surface.nodes, name);
   std::optional<SplineFaces> splines;
   if (smooth && smoothing == Smoothing::Spline) splines.emplace(grid);
   surface.through_nodes = !splines;
   for (int f = 0; f < static_cast<int>(grid.faces().size()); ++f) {
     const SideGrid::Face& c = grid.faces()[static_cast<std::size_t>(f)];
     SurfacePatch<3> patch;
-    if (is_linear) {
+    if (is_linear(sides)) {
       patch = splines ? spline_face(*splines, f, c, name, numbers) : smooth ? smooth_face(grid, f) : bilinear_patch(c);
     } else {
       std::vector<int> own;
@@ -170,7 +209,7 @@ SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<Lo
       for (const int node : side.nodes) own.push_back(surface_number(surface.nodes, node, mesh));
       patch = lagrange_patch<3>(own, tied_nodes(mesh.blocks[static_cast<std::size_t>(side.block)], side.side));
     }
-    const std::array<std::array<int, 2>, 4> edges{{{c[0], c[3]}, {c[1], c[2]}, {c[0], c[1]}, {c[3], c[2]}}};
+    const auto edges = edges_of(c);
     for (std::size_t s = 0; s < 4; ++s) {
       patch.neighbours[s] = grid.across(f, edges[s][0], edges[s][1]);
       patch.smooth[s] = smooth && is_smooth(grid, f, edges[s][0], edges[s][1]);

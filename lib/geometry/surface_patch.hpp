@@ -50,6 +50,9 @@ struct SurfacePatch {
   static constexpr std::size_t parameters = D - 1;
   static constexpr std::size_t most = D == 2 ? 6 : 42;  ///< nodes
   static constexpr std::size_t sides = 2 * parameters;  ///< side 2k: parameter k is 0, side 2k + 1: it is 1
+  static constexpr std::size_t corners = D == 2 ? 2 : 4;
+  /// The nodes, by their numbers in the surface and ascending, whose mean a corner is in a flat side.
+  using Corner = boost::container::static_vector<int, 4>;
   using Weights = std::array<double, most>;
   using Points = std::array<Vec<D>, most>;
   /// The weights with their derivatives by the parameters.
@@ -60,13 +63,20 @@ struct SurfacePatch {
 
   std::array<int, most> nodes{};  ///< the first `count` count
   std::size_t count = 0;
-  int degree = 1;                    ///< of the weights in each parameter, at most 4
-  std::vector<double> coefficients;  ///< by power, as in PlacedPatch, and node
-  /// By side: true if the next patch has the same tangents at the whole side, false at a kink or a free rim.
+  std::size_t side_corners =
+      corners;  ///< the first nodes: corners of the cell's side of which the patch is all, or part
+  std::vector<Corner> split_corners;  ///< of a part of a side; of a whole side empty, its corners are the first nodes
+  int degree = 1;                     ///< of the weights in each parameter, at most 4
+  std::vector<double> coefficients;   ///< by power, as in PlacedPatch, and node
+  /// By side: true if the next patch has the same tangent plane at the whole side, false at a kink or a free rim.
   std::array<bool, sides> smooth{};
   /// By side: the patch beyond it; -1 at a free rim.
   std::array<int, sides> neighbours{};
 
+  /// Returns a corner; they go around the patch. It tells the corner from others of the surface.
+  Corner corner(std::size_t number) const {
+    return split_corners.empty() ? Corner{nodes[number]} : split_corners[number];
+  }
   std::size_t powers() const { return coefficients.size() / count; }
   /// Sets the coefficients from those by node and power, once the nodes are set.
   void set_functions(const std::vector<double>& by_node);

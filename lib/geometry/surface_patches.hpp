@@ -1,10 +1,12 @@
 /// The sides of a surface as patches.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geometry/patch_points.hpp"
 #include "geometry/surface_patch.hpp"
 #include "mesh/local_mesh.hpp"
 
@@ -14,7 +16,8 @@ namespace ixos {
 enum class Smoothing {
   None,  ///< straight or bilinear sides: the normal jumps between them
   /// Cubic curves, or bicubic patches where four sides meet at each inner node, through the nodes: linear in the nodes'
-  /// places, and of one tangent where they meet at 30 degrees or less
+  /// places, and of one tangent where they meet at 30 degrees or less. Quadratic sides on surfaces with triangles, see
+  /// SplitSides
   CatmullRom,
   /// Cubic splines near the nodes, of one tangent and one curvature where sides meet at 30 degrees or less; in space,
   /// see SplineFaces, where four of them meet at each node
@@ -24,19 +27,28 @@ enum class Smoothing {
 /// A surface as patches. They name nodes by their place in `nodes`.
 template <std::size_t D>
 struct SurfacePatches {
-  std::vector<int> nodes;                 ///< local nodes, in the order of their global numbers: alike on all ranks
-  std::vector<SurfacePatch<D>> patches;   ///< one for each side, in the order of the sides; the corners come first
+  std::vector<int> nodes;  ///< local nodes, in the order of their global numbers: alike on all ranks
+  /// In the order of the sides: one for each, or several if the surface has triangles, see SplitSides.
+  std::vector<SurfacePatch<D>> patches;
   std::vector<char> owned;                ///< by patch: energies count it on this rank
   bool through_nodes = true;              ///< false for splines in space
-  std::vector<std::array<int, 3>> sides;  ///< by patch: local block, number of the cell, side, which identify it
+  std::vector<std::array<int, 3>> sides;  ///< by patch: local block, number of the cell, side, which identify that
+  std::vector<int> part;                  ///< by patch: which one of its side it is, from 0
+
+  /// Returns points_on_a_patch() of its patches.
+  int points_along(int asked) const {
+    return points_on_a_patch(asked, std::any_of(part.begin(), part.end(), [](int own) { return own > 0; }));
+  }
+  /// Returns the sides of the patches, or their parts, without nodes.
+  std::vector<LocalSide> sides_of_patches() const;
 };
 
 /// Returns the patches of sides. Those of linear cells are joined as `smoothing` says; quadratic sides, and enriched
 /// ones of Lagrange's kind, keep their own shape, whose normal jumps between them. Nodes on tied edges are left out.
-/// Throws InputError with `name` if a side is of another kind (Q1CH), if sides are of several kinds, if linear sides in
-/// space are smoothed and have tied nodes, if more than two
-/// sides meet in a corner in the plane or in an edge in space, if neighbours in space have opposite directions, or if a
-/// spline in space would have patches of more than SurfacePatch<3>::most nodes.
+/// Throws InputError with `name` if a side is of another kind (Q1CH), if sides are of several orders, if linear sides
+/// in space are smoothed and have tied nodes, if more than two sides meet in a corner in the plane or in an edge in
+/// space, if neighbours in space have opposite directions, if a surface with triangles is to be a spline, or if a patch
+/// in space would have more than SurfacePatch<3>::most nodes.
 template <std::size_t D>
 SurfacePatches<D> surface_patches(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
                                   const std::string& name);
@@ -45,6 +57,12 @@ SurfacePatches<D> surface_patches(const LocalMesh& mesh, const std::vector<Local
 /// surface_patches() refuses.
 template <std::size_t D>
 SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const std::string& name);
+
+/// Returns whether some of the sides are triangles in space.
+bool has_triangles(const LocalMesh& mesh, const std::vector<LocalSide>& sides);
+
+/// Returns the number of patches of these sides.
+std::size_t number_of_patches(const LocalMesh& mesh, const std::vector<LocalSide>& sides);
 
 /// Returns the place of a local node among the surface's nodes, which are in the order of their global numbers.
 int surface_number(const std::vector<int>& nodes, int node, const LocalMesh& mesh);

@@ -125,6 +125,13 @@ std::vector<std::string> names_in(const std::string& folder) {
 
 std::ifstream open_text(const std::string& path) { return is_file(path) ? std::ifstream(path) : std::ifstream(); }
 
+std::string read_whole_file(const std::string& path) {
+  const DiskFile file(path, DiskFile::Mode::Read);
+  std::string bytes(file.length(), '\0');
+  bytes.resize(file.read_at(0, bytes.data(), bytes.size()));
+  return bytes;
+}
+
 void remove_link(const std::string& path) {
   std::error_code code;
   if (std::filesystem::is_symlink(path, code)) std::filesystem::remove(path, code);

@@ -50,6 +50,9 @@ std::vector<std::string> names_in(const std::string& folder);
 /// Opens a text to read; the stream is not open if the path does not lead to a file.
 std::ifstream open_text(const std::string& path);
 
+/// Returns the bytes of a file. Throws FileError if the path leads to none, or if it cannot be read.
+std::string read_whole_file(const std::string& path);
+
 /// Removes a symbolic link, so that a write does not end where it leads.
 void remove_link(const std::string& path);
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -36,6 +35,12 @@ bool trusts_geometry() {
 
 const char* const constants = "Constants";
 const char* const local = "Size At";
+
+/// Changes where another script is written for the same settings.
+constexpr int script_version = 2;
+/// Number of the first field in the scripts, beyond those of drawings, and how fast cells grow beyond a box.
+constexpr int first_field = 100001;
+constexpr double growth = 0.5;
 
 const Options<DrawingOptions>& options() {
   static const Options<DrawingOptions> all =
@@ -64,7 +69,7 @@ const Options<LocalSize>& local_options() {
                "Name of a physical group of points, curves, surfaces or volumes. If empty, it is the list's name.")
           .add("Lower", &LocalSize::lower,
                "A box in place of a group, for drawings without names: its smallest coordinates [L0], two or three of "
-               "them. The size holds at the points of the drawing in it, and between them.",
+               "them. Cells in it have the size; beyond it they grow by half of the distance.",
                any_number())
           .add("Upper", &LocalSize::upper, "The box's largest coordinates [L0], as many.", any_number());
   return all;
@@ -97,11 +102,6 @@ std::string cache_folder() {
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
   return folder.string();
-}
-
-std::string contents(const std::string& path) {
-  std::ifstream stream = open_text(path);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// A drawing on its way to a mesh.
@@ -152,11 +152,12 @@ class Meshing {
   std::string key() const {
     Digest digest;
     const auto add = [&](const std::string& text) { digest.add_array(text); };
+    digest.add_number(script_version);
     struct stat state {};
     stat(gmsh_.c_str(), &state);
     digest.add_number(state.st_mtime);
     digest.add_number(state.st_size);
-    for (const std::string& file : files_) add(contents(file));
+    for (const std::string& file : files_) add(read_whole_file(file));
     for (const std::string& word : words()) add(word);
     digest.add_number(options_.dimension);
     for (const LocalSize& own : options_.local) {
@@ -199,10 +200,18 @@ class Meshing {
         "Merge \"{}\";\nMesh.ElementOrder = {};\nMesh.SecondOrderIncomplete = 0;\nMesh.MeshSizeFactor = {};\n", path_,
         options_.order, options_.factor);
     if (options_.size > 0) text += fmt::format("Mesh.MeshSizeMax = {};\n", options_.size / options_.length_unit);
+    std::vector<int> fields;
     for (const LocalSize& own : options_.local) {
-      const std::string points = own.lower.empty() && own.upper.empty() ? of_group(own) : in_box(own);
-      text += fmt::format("MeshSize {{{}}} = {};\n", points, own.size / options_.length_unit);
+      if (own.lower.empty() && own.upper.empty()) {
+        text += fmt::format("MeshSize {{{}}} = {};\n", of_group(own), own.size / options_.length_unit);
+      } else {
+        fields.push_back(first_field + static_cast<int>(fields.size()));
+        text += in_box(own, fields.back());
+      }
     }
+    if (!fields.empty())
+      text += fmt::format("Field[{0}] = Min;\nField[{0}].FieldsList = {{{1}}};\nBackground Field = {0};\n",
+                          fields.back() + 1, fmt::join(fields, ", "));
     return text;
   }
 
@@ -228,17 +237,33 @@ class Meshing {
     return fmt::format("{}", fmt::join(points, ", "));
   }
 
-  std::string in_box(const LocalSize& own) const {
+  /// Returns the definition of a field of gmsh that has the size in the box.
+  std::string in_box(const LocalSize& own, int field) const {
+    if (has_word(files_, "Background"))
+      refuse(
+          fmt::format("Drawing/{}/{}: a box cannot be added to the Background Field that the drawing sets; name a "
+                      "physical group",
+                      local, own.name));
     if (own.lower.size() != own.upper.size() || own.lower.size() < 2 || own.lower.size() > 3)
       refuse(fmt::format("Drawing/{}/{}: Lower and Upper have {} and {} numbers; two or three of both are needed",
                          local, own.name, own.lower.size(), own.upper.size()));
-    std::vector<double> corners(6);
+    std::string text = fmt::format("Field[{}] = Box;\n", field);
+    const auto set = [&](const std::string& name, double value) {
+      text += fmt::format("Field[{}].{} = {};\n", field, name, value);
+    };
     for (std::size_t i = 0; i < 3; ++i) {
       const bool given = i < own.lower.size();
-      corners[i] = given ? own.lower[i] / options_.length_unit : -1e22;
-      corners[3 + i] = given ? own.upper[i] / options_.length_unit : 1e22;
+      if (given && own.lower[i] > own.upper[i])
+        refuse(fmt::format("Drawing/{}/{}: Lower {} is above Upper {} in direction {}", local, own.name, own.lower[i],
+                           own.upper[i], "xyz"[i]));
+      set(fmt::format("{}Min", "XYZ"[i]), given ? own.lower[i] / options_.length_unit : -1e22);
+      set(fmt::format("{}Max", "XYZ"[i]), given ? own.upper[i] / options_.length_unit : 1e22);
     }
-    return fmt::format("Point In BoundingBox{{{}}}", fmt::join(corners, ", "));
+    const double size = own.size / options_.length_unit, beyond = options_.size / options_.length_unit;
+    set("VIn", size);
+    set("VOut", beyond > 0 ? std::max(beyond, size) : 1e22);
+    if (beyond > size) set("Thickness", (beyond - size) / growth);
+    return text;
   }
 
   /// Finds the physical groups: those of a mesh of the curves alone.

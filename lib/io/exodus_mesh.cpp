@@ -4,46 +4,32 @@
 
 #include <numeric>
 #include <set>
-#include <utility>
 
 #include "base/error.hpp"
-#include "fem/cell_info.hpp"
 #include "io/disk_file.hpp"
 #include "io/exodus_definition.hpp"
+#include "io/file_cells.hpp"
 #include "io/mesh_file.hpp"
-#include "mesh/normalize.hpp"
 
 namespace ixos {
 namespace {
 
-/// Returns the mesh as files have it: cells without bubbles, blocks of different names.
-Mesh as_drawn(Mesh mesh) {
-  bool dropped = false;
+/// Gives blocks of one name different names.
+void name_blocks(Mesh& mesh) {
   std::set<std::string> taken, named;
   for (const ElementBlock& block : mesh.blocks) taken.insert(block.name);
   for (ElementBlock& block : mesh.blocks) {
     const std::string own = block.name;
     if (!named.insert(own).second)
       for (int k = 2; !taken.insert(block.name).second; ++k) block.name = fmt::format("{}_{}", own, k);
-    const CellType drawn = cell_info(block.type).drawn;
-    if (drawn == block.type) continue;
-    const int all = nodes_per_cell(block.type), kept = nodes_per_cell(drawn), cells = block.cells();
-    std::vector<int> nodes;
-    nodes.reserve(cell_entry(cells, kept));
-    for (int cell = 0; cell < cells; ++cell)
-      nodes.insert(nodes.end(), &block.nodes[cell_entry(cell, all)], &block.nodes[cell_entry(cell, all)] + kept);
-    block.type = drawn;
-    block.nodes = std::move(nodes);
-    dropped = true;
   }
-  if (dropped) drop_unused_nodes(mesh);
-  return mesh;
 }
 
 }  // namespace
 
 void write_exodus_mesh(const Mesh& given, const std::string& path, const std::string& title) {
-  const Mesh mesh = as_drawn(given);
+  Mesh mesh = without_bubbles(given);
+  name_blocks(mesh);
   const int id = create_exodus(path);
   if (id < 0) throw FileError(path + ": cannot be written");
   ExodusHandle file(id, path);

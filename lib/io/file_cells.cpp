@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fem/cell_info.hpp"
+#include "mesh/normalize.hpp"
 
 namespace ixos {
 namespace {
@@ -112,6 +113,24 @@ const FileCells* gmsh_cells(int type) {
   }();
   const auto found = known.find(type);
   return found == known.end() ? nullptr : &found->second;
+}
+
+Mesh without_bubbles(Mesh mesh) {
+  bool dropped = false;
+  for (ElementBlock& block : mesh.blocks) {
+    const CellType drawn = cell_info(block.type).drawn;
+    if (drawn == block.type) continue;
+    const int all = nodes_per_cell(block.type), kept = nodes_per_cell(drawn), cells = block.cells();
+    std::vector<int> nodes;
+    nodes.reserve(cell_entry(cells, kept));
+    for (int cell = 0; cell < cells; ++cell)
+      nodes.insert(nodes.end(), &block.nodes[cell_entry(cell, all)], &block.nodes[cell_entry(cell, all)] + kept);
+    block.type = drawn;
+    block.nodes = std::move(nodes);
+    dropped = true;
+  }
+  if (dropped) drop_unused_nodes(mesh);
+  return mesh;
 }
 
 void FileCellReader::add(const FileCells& cells, const std::vector<int>& nodes, ElementBlock& block) {

@@ -21,6 +21,9 @@ struct FileCells {
 const FileCells* exodus_cells(ReferenceShape shape, int nodes);
 const FileCells* gmsh_cells(int type);
 
+/// Returns the mesh as files have it: cells with bubbles without the nodes that these add.
+Mesh without_bubbles(Mesh mesh);
+
 /// Adds cells of files to a mesh whose coordinates are known, and the nodes that some lack: 8, 20, 15 and 13 nodes
 /// become 9, 27, 18 and 14.
 class FileCellReader {

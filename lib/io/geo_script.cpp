@@ -6,9 +6,8 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -36,18 +35,15 @@ constexpr std::array<std::string_view, 4> options{"General", "PostProcessing", "
 constexpr std::array<std::string_view, 4> harmless_options{"Terminal", "Verbosity", "NumThreads", "ExpertMode"};
 constexpr std::array<std::string_view, 3> printing{"Printf", "Error", "Warning"};
 constexpr std::array<std::string_view, 4> naming{"Include", "Merge", "MergeWithBoundingBox", "ShapeFromFile"};
+/// Words after which gmsh reads parts of a file again from the beginning of a line, or skips them without regard to
+/// texts: what stands in a comment or a text may become a command.
+constexpr std::array<std::string_view, 4> branching{"If", "For", "Macro", "Function"};
 /// The endings, as gmsh spells them, of files that it reads as shapes whatever they hold. Others it may execute.
 constexpr std::array<std::string_view, 12> shapes{".step", ".STEP", ".stp", ".STP", ".brep", ".BREP",
                                                   ".iges", ".IGES", ".igs", ".IGS", ".stl",  ".STL"};
 
 /// gmsh cuts longer texts.
 constexpr std::size_t longest_text = 1000;
-
-std::string contents(const std::string& path) {
-  std::ifstream stream = open_text(path);
-  if (!stream) throw FileError(path + ": cannot be read");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Reads words, texts with their quotes, and signs, without comments.
 class Tokens {
@@ -106,26 +102,76 @@ class Tokens {
   std::size_t place_ = 0;
 };
 
+/// Returns a script without the signs that begin and end texts and comments.
+std::string bared(std::string text) {
+  for (const std::string_view sign : {"/*", "*/", "//", "\"", "'"})
+    for (std::size_t place = text.find(sign); place != std::string::npos; place = text.find(sign, place))
+      text.replace(place, sign.size(), sign.size(), ' ');
+  return text;
+}
+
+/// The files of a drawing as they are found.
+class Scan {
+ public:
+  explicit Scan(bool trusted) : trusted_(trusted) {}
+
+  bool trusted() const { return trusted_; }
+  const std::vector<std::string>& files() const { return files_; }
+
+  /// Adds a file, if it is there, and the options beside it. Checks a script, once: another script may have named the
+  /// file in a text before it includes it.
+  void add(const std::string& path, bool is_script);
+
+ private:
+  bool trusted_;
+  std::vector<std::string> files_, scripts_;
+};
+
 class Script {
  public:
-  Script(std::string path, bool trusted, std::vector<std::string>& files)
+  Script(std::string path, Scan& scan)
       : path_(std::move(path)),
-        trusted_(trusted),
-        files_(files),
-        text_(contents(path_)),
+        scan_(scan),
+        text_(read_whole_file(path_)),
         tokens_(text_, [this](const std::string& what) { refuse(what); }) {}
 
   void read() {
     for (std::string_view token = tokens_.next(); !token.empty();) token = checked(token);
+    check_bared();
   }
 
  private:
+  /// Returns whether a word may do something.
+  static bool is_command(std::string_view word) {
+    return is_one_of(starting, word) || is_one_of(writing, word) || is_one_of(naming, word) ||
+           is_one_of(printing, word) || is_one_of(options, word);
+  }
+
+  /// If the script branches, all its commands must stand outside of texts and comments.
+  void check_bared() {
+    const std::string bare = bared(text_);
+    std::map<std::string_view, int> hidden;
+    bool branches = false;
+    Tokens tokens(bare, [](const std::string&) {});
+    std::string_view token = tokens.next();
+    for (std::string_view next; !token.empty(); token = next) {
+      next = tokens.next();
+      branches = branches || is_one_of(branching, token);
+      if (is_command(token) && (!is_one_of(options, token) || next == ".")) ++hidden[token];
+    }
+    for (const auto& [word, count] : hidden)
+      if (branches && count > seen_[std::string(word)])
+        refuse(fmt::format("\"{}\" stands in a comment or a text, which gmsh may execute because of If, For or Macro",
+                           word));
+  }
+
   /// Checks a token. Returns the next one.
   std::string_view checked(std::string_view token) {
     if (is_one_of(starting, token)) refuse(fmt::format("\"{}\" starts a program", token));
     if (is_one_of(writing, token)) refuse(fmt::format("\"{}\" writes a file", token));
-    if (token.front() == '"' || token.front() == '\'') add(file_of(token));
+    if (token.front() == '"' || token.front() == '\'') scan_.add(file_of(token), false);
     const std::string_view following = tokens_.next();
+    if (is_command(token) && (!is_one_of(options, token) || following == ".")) ++seen_[std::string(token)];
     if (is_one_of(options, token)) return option(token, following);
     if (is_one_of(naming, token)) return named(token, following);
     if (is_one_of(printing, token)) {
@@ -147,7 +193,9 @@ class Script {
   }
 
   std::string_view named(std::string_view command, std::string_view name) {
-    const bool is_text = name.size() > 2 && name.front() == '"';
+    const char* const after = command.data() + command.size();
+    const bool is_text = name.size() > 2 && name.front() == '"' &&
+                         std::all_of(after, name.data(), [](unsigned char c) { return std::isspace(c) != 0; });
     const std::string_view end = tokens_.next();
     if (!is_text || end != ";") {
       refuse(fmt::format("\"{}\" does not name its file by a text", command));
@@ -157,7 +205,7 @@ class Script {
     const std::string ending = Path(file).extension().string();
     const bool is_script = command == "Include" || ending == ".geo";
     if (!is_script && !is_one_of(shapes, ending)) refuse(fmt::format("\"{} {}\" may execute the file", command, name));
-    if (add(file) && is_script) Script(file, trusted_, files_).read();
+    scan_.add(file, is_script);
     return tokens_.next();
   }
 
@@ -167,53 +215,49 @@ class Script {
         .string();
   }
 
-  /// Adds a file, with the options beside it. Returns whether it is there and new.
-  bool add(const std::string& file) {
-    if (!is_file(file) || std::find(files_.begin(), files_.end(), file) != files_.end()) return false;
-    files_.push_back(file);
-    add_options(file, trusted_, files_);
-    return true;
-  }
-
   void refuse(const std::string& what) const {
-    if (trusted_) return;
+    if (scan_.trusted()) return;
     throw InputError(fmt::format(
         "{}: line {}: {}, which a drawing has no need of; if you know the file, allow it with --trust-geometry", path_,
         tokens_.line(), what));
   }
 
   std::string path_;
-  bool trusted_;
-  std::vector<std::string>& files_;
+  Scan& scan_;
   std::string text_;
   Tokens tokens_;
+  std::map<std::string, int> seen_;  ///< by command: how often it stands outside of texts and comments
   bool is_printing_ = false;
   int depth_ = 0;  ///< of parentheses, of what it prints
-
- public:
-  /// Adds and checks the options that gmsh reads after a file.
-  static void add_options(const std::string& file, bool trusted, std::vector<std::string>& files) {
-    const std::string own = file + ".opt";
-    if (!is_file(own) || std::find(files.begin(), files.end(), own) != files.end()) return;
-    files.push_back(own);
-    Script(own, trusted, files).read();
-  }
 };
+
+void Scan::add(const std::string& path, bool is_script) {
+  if (!is_file(path)) return;
+  std::error_code error;
+  const Path whole = std::filesystem::weakly_canonical(path, error);  // a script may include itself by many names
+  const std::string file = error ? path : whole.string();
+  const auto is_new = [&file](std::vector<std::string>& all) {
+    if (std::find(all.begin(), all.end(), file) != all.end()) return false;
+    all.push_back(file);
+    return true;
+  };
+  if (is_new(files_)) add(file + ".opt", true);
+  if (is_script && is_new(scripts_)) Script(file, *this).read();
+}
 
 }  // namespace
 
 std::vector<std::string> drawing_files(const std::string& path, bool trusted) {
-  std::vector<std::string> files{path};
   if (!is_file(path)) throw FileError(path + ": cannot be read");
-  if (!is_one_of(shapes, Path(path).extension().string())) Script(path, trusted, files).read();
-  Script::add_options(path, trusted, files);
-  return files;
+  Scan scan(trusted);
+  scan.add(path, !is_one_of(shapes, Path(path).extension().string()));
+  return scan.files();
 }
 
 bool has_word(const std::vector<std::string>& files, const std::string& word) {
   return std::any_of(files.begin(), files.end(), [&](const std::string& file) {
     if (Path(file).extension() != ".geo") return false;
-    const std::string text = contents(file);
+    const std::string text = read_whole_file(file);
     Tokens tokens(text, [](const std::string&) {});
     for (std::string_view token = tokens.next(); !token.empty(); token = tokens.next())
       if (token == word) return true;

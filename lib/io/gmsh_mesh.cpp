@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -207,11 +208,29 @@ class Builder {
 const char* const drawing = "Drawing";
 
 /// `node`: a list of the entry.
-DrawnMesh mesh_of(const SceneNode& node, const std::string& path) {
+DrawingOptions options_of(const SceneNode& node) {
   DrawingOptions options = read_drawing(node.sublist(drawing));
   options.dimension = node.count("Dimension");
   options.length_unit = node.number("Length Unit");
-  return drawn_mesh(path, options);
+  return options;
+}
+
+/// Throws InputError if a box of Size At does not meet the box around the nodes, and so has no effect.
+void refuse_boxes_outside(const SceneNode& node, const DrawingOptions& options, const Mesh& mesh) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  for (const LocalSize& own : options.local)
+    for (std::size_t i = 0; i < std::min(d, own.lower.size()); ++i) {
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (std::size_t k = i; k < mesh.coordinates.size(); k += d) {
+        low = std::min(low, options.length_unit * mesh.coordinates[k]);
+        high = std::max(high, options.length_unit * mesh.coordinates[k]);
+      }
+      if (own.lower[i] > high || own.upper[i] < low)
+        throw InputError(fmt::format(
+            "{}/Size At/{}: the box from {:.6g} to {:.6g} L0 in direction {} lies beside the drawing, which is from "
+            "{:.6g} to {:.6g} L0 there",
+            node.path_of(drawing), own.name, own.lower[i], own.upper[i], "xyz"[i], low, high));
+    }
 }
 
 }  // namespace
@@ -234,9 +253,11 @@ MeshEntry gmsh_mesh() {
       "which has to be installed, makes the mesh then.",
       [](const SceneNode& node, const std::string& path) {
         if (!is_drawing(path)) return read_gmsh_mesh(path);
-        const DrawnMesh drawn = mesh_of(node, path);
+        const DrawingOptions own = options_of(node);
+        const DrawnMesh drawn = drawn_mesh(path, own);
         Mesh mesh;
         at(path, [&] { mesh = read_gmsh_mesh(drawn.path); });
+        refuse_boxes_outside(node, own, mesh);
         for (const std::string& warning : drawn.warnings)
           mesh.notes.push_back(fmt::format("{}: gmsh warns: {}", path, warning));
         return mesh;
@@ -247,7 +268,7 @@ MeshEntry gmsh_mesh() {
 }
 
 void prepare_drawing(const SceneNode& node) {
-  if (const std::string path = node.text("File"); is_drawing(path)) mesh_of(node, path);
+  if (const std::string path = node.text("File"); is_drawing(path)) drawn_mesh(path, options_of(node));
 }
 
 }  // namespace ixos

@@ -19,12 +19,9 @@ constexpr std::uint64_t largest_file = std::uint64_t{1} << 31U;  // bytes: a gri
 
 std::string contents(const std::string& path) {
   if (!is_file(path)) throw InputError(path + ": the file of heights cannot be read");
-  const DiskFile file(path, DiskFile::Mode::Read);
-  if (file.length() > largest_file)
-    throw InputError(fmt::format("{}: has {} bytes; at most {} are read", path, file.length(), largest_file));
-  std::string bytes(file.length(), '\0');
-  bytes.resize(file.read_at(0, bytes.data(), bytes.size()));
-  return bytes;
+  if (const std::uint64_t bytes = DiskFile(path, DiskFile::Mode::Read).length(); bytes > largest_file)
+    throw InputError(fmt::format("{}: has {} bytes; at most {} are read", path, bytes, largest_file));
+  return read_whole_file(path);
 }
 
 bool begins_with(const std::string& bytes, std::string_view start) {

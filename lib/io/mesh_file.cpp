@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
+#include "io/exodus_mesh.hpp"
+#include "io/gmsh_writer.hpp"
 #include "mesh/soundness.hpp"
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
@@ -37,6 +41,13 @@ MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence,
                for (double& coordinate : mesh.coordinates) coordinate *= p.length_unit;
              return mesh;
            }}};
+}
+
+void write_mesh(const Mesh& mesh, const std::string& path, const std::string& title) {
+  if (std::filesystem::path(path).extension() == ".msh")
+    write_gmsh_mesh(mesh, path);
+  else
+    write_exodus_mesh(mesh, path, title);
 }
 
 bool reads_file(const MeshEntry& entry) { return entry.parameters.isParameter("File"); }

@@ -1,4 +1,4 @@
-/// Meshes that a scene reads from files.
+/// Meshes in files.
 #pragma once
 #include <functional>
 #include <string>
@@ -13,6 +13,9 @@ namespace ixos {
 MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence,
                           const std::function<Mesh(const SceneNode& node, const std::string& path)>& read,
                           const std::function<void(Teuchos::ParameterList& list)>& declare = {});
+
+/// Writes a file of gmsh if the path ends in .msh, see write_gmsh_mesh(), or else of Exodus, see write_exodus_mesh().
+void write_mesh(const Mesh& mesh, const std::string& path, const std::string& title);
 
 /// Returns whether the entry reads a file.
 bool reads_file(const MeshEntry& entry);

@@ -17,10 +17,7 @@ constexpr const char* blanks = " \t\r\n";
 
 std::string contents(const std::string& path) {
   if (!is_file(path)) throw InputError(path + ": the mesh file cannot be read");
-  const DiskFile file(path, DiskFile::Mode::Read);
-  std::string bytes(file.length(), '\0');
-  bytes.resize(file.read_at(0, bytes.data(), bytes.size()));
-  return bytes;
+  return read_whole_file(path);
 }
 
 std::string shortened(std::string_view word) {

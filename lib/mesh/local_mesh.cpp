@@ -20,19 +20,35 @@ std::size_t index_of(const std::string& name, const std::vector<std::string>& na
   return static_cast<std::size_t>(found - names.begin());
 }
 
-/// Numbers the nodes so that each rank's are consecutive, in the order of the mesh within a rank.
+/// Returns the nodes that no tie holds in the order in which a rank keeps its own: that of the mesh; in a mesh with
+/// ties that of their first cells. Nodes that a refinement adds stand last in the mesh, far from their neighbours in
+/// memory.
+std::vector<int> order_of_nodes(const Mesh& mesh, const std::vector<const Tie*>& tie) {
+  std::vector<int> order;
+  std::vector<char> has_place(tie.size(), 0);
+  const auto place = [&](int node) {
+    const auto n = static_cast<std::size_t>(node);
+    if (tie[n] == nullptr && has_place[n] == 0) order.push_back(node);
+    has_place[n] = 1;
+  };
+  if (!mesh.ties.empty())
+    for (const ElementBlock& block : mesh.blocks) std::for_each(block.nodes.begin(), block.nodes.end(), place);
+  for (int node = 0; node < mesh.nodes(); ++node) place(node);
+  return order;
+}
+
+/// Numbers the nodes so that each rank's are consecutive, in this order within a rank.
 /// Tied nodes get the numbers behind all others.
-std::vector<long long> number_by_rank(const std::vector<int>& owner, const std::vector<const Tie*>& tie, int ranks) {
+std::vector<long long> number_by_rank(const std::vector<int>& order, const std::vector<int>& owner, int ranks) {
   std::vector<long long> next(static_cast<std::size_t>(ranks) + 1, 0);
-  for (std::size_t node = 0; node < owner.size(); ++node)
-    if (tie[node] == nullptr) ++next[static_cast<std::size_t>(owner[node]) + 1];
+  const auto owner_of = [&](int node) { return static_cast<std::size_t>(owner[static_cast<std::size_t>(node)]); };
+  for (const int node : order) ++next[owner_of(node) + 1];
   for (std::size_t rank = 1; rank < next.size(); ++rank) next[rank] += next[rank - 1];
   std::vector<long long> number(owner.size(), -1);
-  for (std::size_t node = 0; node < owner.size(); ++node)
-    if (tie[node] == nullptr) number[node] = next[static_cast<std::size_t>(owner[node])]++;
+  for (const int node : order) number[static_cast<std::size_t>(node)] = next[owner_of(node)]++;
   long long behind = next.back();
-  for (std::size_t node = 0; node < owner.size(); ++node)
-    if (tie[node] != nullptr) number[node] = behind++;
+  for (long long& each : number)
+    if (each < 0) each = behind++;
   return number;
 }
 
@@ -96,7 +112,8 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& given_owner, int ra
   std::vector<int> node_owner = given_owner;
   for (const Tie& own : ties)
     node_owner[static_cast<std::size_t>(own.node)] = given_owner[static_cast<std::size_t>(own.masters.front())];
-  const auto number = number_by_rank(node_owner, tie, ranks);
+  const std::vector<int> order = order_of_nodes(mesh, tie);
+  const auto number = number_by_rank(order, node_owner, ranks);
   const auto cells = touching_cells(mesh, node_owner, tie, rank);
 
   LocalMesh local;
@@ -109,9 +126,8 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& given_owner, int ra
   local.global_nodes = mesh.nodes() - static_cast<int>(mesh.ties.size());
   local.global_tied = static_cast<long long>(mesh.ties.size());
   local.global_cells = mesh.cells();
-  for (int node = 0; node < mesh.nodes(); ++node)
-    if (node_owner[static_cast<std::size_t>(node)] == rank && tie[static_cast<std::size_t>(node)] == nullptr)
-      local.original_ids.push_back(node);
+  for (const int node : order)
+    if (node_owner[static_cast<std::size_t>(node)] == rank) local.original_ids.push_back(node);
   local.owned_nodes = static_cast<int>(local.original_ids.size());
   std::vector<int> ghosts, tied;
   const auto see = [&](int node) {

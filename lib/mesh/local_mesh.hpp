@@ -19,6 +19,7 @@ struct LocalSide {
   int side;  ///< of the cell, from 0
   std::vector<int> nodes;  ///< local node numbers, in the order of side_nodes
   bool owned;              ///< its cell is owned by this rank: energies and forces count it here
+  int part = 0;            ///< which part of the side it is, see SplitSides
 };
 
 struct LocalBlock {

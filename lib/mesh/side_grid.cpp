@@ -11,6 +11,14 @@
 #include "base/vector3.hpp"
 
 namespace ixos {
+
+void refuse_edge(const std::string& name, long long a, long long b) {
+  throw InputError(
+      fmt::format("more than two sides of the surface \"{}\", or two in opposite directions, meet in the edge between "
+                  "the nodes {} and {} of the mesh",
+                  name, a, b));
+}
+
 SideGrid::SideGrid(std::vector<Face> faces, const std::vector<Vec<3>>& x, const std::string& name,
                    const std::vector<long long>& numbers)
     : faces_(std::move(faces)), ends_(x.size()), count_(x.size(), 0), x_(x) {
@@ -26,11 +34,7 @@ void SideGrid::find_edges(const std::string& name, const std::vector<long long>&
       ++count_[at(a)];
       Edge& own = edges_[std::minmax(a, b)];
       int& place = own.faces[a < b ? 0 : 1];  // by the direction in which the face goes along it
-      if (place >= 0)
-        throw InputError(
-            fmt::format("more than two sides of the surface \"{}\", or two in opposite directions, meet in "
-                        "the edge between the nodes {} and {} of the mesh",
-                        name, numbers[at(a)], numbers[at(b)]));
+      if (place >= 0) refuse_edge(name, numbers[at(a)], numbers[at(b)]);
       place = static_cast<int>(f);
     }
   for (auto& [nodes, own] : edges_) {

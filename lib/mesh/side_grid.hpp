@@ -67,6 +67,10 @@ class SideGrid {
   std::vector<double> strip_length_;
 };
 
+/// Throws the InputError of a surface in which two faces go along an edge in one direction; `a`, `b`: the numbers of
+/// its nodes in messages.
+[[noreturn]] void refuse_edge(const std::string& name, long long a, long long b);
+
 /// Returns the open creases of a side set of a mesh in space; none if its cells are not linear.
 SideGrid::OpenCreases open_creases(const Mesh& mesh, const SideSet& set);
 

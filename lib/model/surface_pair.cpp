@@ -147,17 +147,16 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
   options.share = pair.passes == Passes::Two ? 0.5 : 1;
   options.reacts = pair.passes != Passes::TwoWithoutReaction;
   std::vector<std::unique_ptr<Interaction>> frictions;
-  const auto pass = [&](const PairSurfaces<D>& own, const std::string& secondary) {
+  const auto pass = [&](const PairSurfaces<D>& own) {
     if (law->domain() == GapDomain::All)
       options.depth = pair.exclusion > 0 ? HUGE_VAL : model.space().maximum(overlap_depth(mesh, own.primary));
     if (pair.friction.type != FrictionType::None) {
       const FrictionLaw friction(pair.friction, law);
-      const std::vector<LocalSide>& sides = all_sides(mesh, comm, secondary);
-      frictions.push_back(make_pair_friction<D>(mesh, own, sides, model.pattern(), law, friction, options));
+      frictions.push_back(make_pair_friction<D>(mesh, own, model.pattern(), law, friction, options));
     }
     return make_pair_term<D>(mesh, own, model.pattern(), law, options);
   };
-  std::unique_ptr<Interaction> term = pass(surfaces, pair.side_set);
+  std::unique_ptr<Interaction> term = pass(surfaces);
   if (pair.passes == Passes::DoubleIntegral) {
     const std::size_t nodes = surfaces.secondary.nodes.size() + surfaces.primary.nodes.size();
     if (nodes > most_nodes_of_double_integral)
@@ -165,9 +164,9 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
                                "matrix is dense: use smaller side sets, or Passes One",
                                nodes, most_nodes_of_double_integral));
     term = make_double_integral<D>(mesh, surfaces, model.pattern(), std::move(term), PairKernel<D>(law->powers()),
-                                   points_on_a_side(pair.points));
+                                   pair.points);
   } else if (pair.passes != Passes::One)
-    term = two_passes(std::move(term), pass({surfaces.primary, surfaces.secondary}, pair.primary), options.reacts);
+    term = two_passes(std::move(term), pass({surfaces.primary, surfaces.secondary}), options.reacts);
   if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);
   model.add_interaction(std::move(term), pair.name);
   for (std::unique_ptr<Interaction>& friction : frictions) model.add_interaction(std::move(friction), pair.name);

@@ -123,8 +123,10 @@ void Restart::note_differences(const Simulation& simulation) {
   const std::string build = other_build(*reader_);
   if (!build.empty()) notes_.push_back(build);
   if (!reader_->same_partition())
-    notes_.push_back(fmt::format("It was written on {} rank(s), this run has {}.", reader_->ranks(),
-                                 simulation.model().space().comm()->getSize()));
+    notes_.push_back(reader_->ranks() == simulation.model().space().comm()->getSize()
+                         ? "It was written with the nodes distributed or ordered otherwise."
+                         : fmt::format("It was written on {} rank(s), this run has {}.", reader_->ranks(),
+                                       simulation.model().space().comm()->getSize()));
   if (!same_scene_)
     notes_.emplace_back(
         "The run resumes from the same displacements and velocities. Energy errors still refer to the first row.");

@@ -11,14 +11,15 @@ namespace {
 
 constexpr auto width = static_cast<std::size_t>(pack_width);
 
-constexpr double sides_of_a_cell = 6, cells_of_a_block = 4294967296.0;
+constexpr double sides_of_a_cell = 6, cells_of_a_block = 4294967296.0, parts_of_a_side = 4;
 
 std::vector<double> numbers_of(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
   std::vector<double> numbers;
   for (const LocalSide& side : sides) {
     const LocalBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
     const int cell = side.cell < 0 ? -1 - side.cell : block.original_cells[static_cast<std::size_t>(side.cell)];
-    numbers.push_back((side.block * cells_of_a_block + cell) * sides_of_a_cell + side.side);
+    numbers.push_back((side.block * cells_of_a_block + cell) * sides_of_a_cell + side.side +
+                      side.part / parts_of_a_side);
   }
   return numbers;
 }

@@ -38,7 +38,7 @@ class PointData {
 
   PointData(std::vector<double> cells, std::size_t points, std::size_t numbers);
 
-  std::vector<double> cells_;  ///< per local cell or side: a whole number that tells it from others in the mesh
+  std::vector<double> cells_;  ///< per local cell or side: a number that tells it from others in the mesh
   std::size_t points_, numbers_;
   std::vector<Pack> data_;  ///< batches x points x numbers
 };

@@ -27,10 +27,11 @@ void StageProblem::begin_solve() {
 void StageProblem::take_iterate() {
   const bool same = iterates_.number > 0 && iterates_.last == u_;
   iterates_.is_last = true;
-  iterates_.are_used = relaxation_ <= 1;
-  if (model_.space().minimum(same ? 1 : 0) > 0) return;
-  iterates_.before = std::exchange(iterates_.last, u_);
-  ++iterates_.number;
+  if (model_.space().minimum(same ? 1 : 0) == 0) {
+    iterates_.before = std::exchange(iterates_.last, u_);
+    ++iterates_.number;
+  }
+  iterates_.are_used = tangent_point().elastic.iterate != nullptr;
 }
 
 void StageProblem::leave_mixed_steps(bool again) {

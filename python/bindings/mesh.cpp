@@ -10,6 +10,7 @@
 #include "bindings.hpp"
 #include "fem/cell_info.hpp"
 #include "io/exodus_mesh.hpp"
+#include "io/mesh_file.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/joined_parts.hpp"
@@ -215,12 +216,12 @@ one; a side lies on the boundary. Raises InputError for arrays that do not fit e
             std::error_code code;  // what cannot be looked at cannot be written either
             if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(path, code)))
               throw InputError(path.string() + " exists; choose another name, or replace it with overwrite=True");
-            write_exodus_mesh(mesh, path.string(), title);
+            write_mesh(mesh, path.string(), title);
           },
           py::arg("path"), py::arg("title") = "mesh", py::arg("overwrite") = false,
-          "Writes an Exodus file, which a scene names as Mesh/Exodus/File. Raises InputError if the file exists, "
-          "unless "
-          "it may be overwritten.")
+          "Writes an Exodus file, which a scene names as Mesh/Exodus/File; if the path ends in .msh, one of gmsh, "
+          "Mesh/Gmsh/File, which has no title. Raises InputError if the file exists, unless it may be overwritten, or "
+          "if gmsh's format cannot hold the mesh.")
       .def_property_readonly("dimension", [](const Mesh& mesh) { return mesh.dimension; })
       .def_property_readonly(
           "points",

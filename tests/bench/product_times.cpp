@@ -1,8 +1,8 @@
 // W x of a distorted block's tangent with mass, as a matrix, matrix-free in double and in single precision, matrix-free
 // with stiffness damping and with four points in time, in turns, and the exchange of ghosts alone, which is in all of
 // them: what overlap with work could hide at most; on as many ranks as it is started on: product_times [divisions]
-// [rounds]. Least and median time, degrees of freedom in the least time, and how many times faster than the matrix.
-// First for linear cells, then for quadratic ones with the same nodes.
+// [rounds] [cells...]. Least and median time, degrees of freedom in the least time, and how many times faster than the
+// matrix. `cells`: of block_cells.hpp, Hex8 and Hex27 if none are named.
 #include <fmt/format.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -15,11 +15,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "balance/tangent_operator.hpp"
-#include "mesh/cell_order.hpp"
-#include "mesh/generators/shapes.hpp"
+#include "bench/block_cells.hpp"
 #include "mesh/partition.hpp"
 #include "model/model.hpp"
 #include "solve/iterative/single_products.hpp"
@@ -27,14 +27,9 @@
 namespace {
 
 /// `divisions`: steps from node to node along each edge.
-ixos::Mesh distorted_block(int divisions, int order) {
-  ixos::BoxShape shape;
-  shape.dimension = 3;
-  shape.lengths = {10, 10, 10};
-  shape.divisions.fill(divisions / order);
-  ixos::Mesh mesh = ixos::box(shape);
-  if (order == 2) ixos::raise_order(mesh);
-  const double distortion = (order == 1 ? 1.5 : 0.5) / divisions;
+ixos::Mesh distorted_block(int divisions, const ixos::test::BlockCells& cells) {
+  ixos::Mesh mesh = ixos::test::block_of(cells, divisions, 10);
+  const double distortion = (cells.order == 1 ? 1.5 : 0.5) / divisions;
   for (std::size_t i = 0; i < mesh.coordinates.size(); ++i)
     mesh.coordinates[i] += distortion * std::sin(1.7 * static_cast<double>(i));
   return mesh;
@@ -75,8 +70,8 @@ class Product {
   ixos::TangentOperator tangent_;
 };
 
-void measure(const ixos::Comm& comm, int divisions, int rounds, int order) {
-  const ixos::Mesh mesh = distorted_block(divisions, order);
+void measure(const ixos::Comm& comm, int divisions, int rounds, const ixos::test::BlockCells& cells) {
+  const ixos::Mesh mesh = distorted_block(divisions, cells);
   const Product plain(comm, mesh, 0), damped(comm, mesh, 0.01), mean(comm, mesh, 0, ixos::gauss_rule(4));
   const Teuchos::RCP<ixos::CrsMatrix> matrix = plain.tangent().matrix();
   ixos::Vector in(matrix->getDomainMap()), out(matrix->getRangeMap());
@@ -106,8 +101,8 @@ void measure(const ixos::Comm& comm, int divisions, int rounds, int order) {
       way.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
   if (comm->getRank() != 0) return;
-  fmt::print("\n{} cells, {} degrees of freedom, {} rank(s), {} rounds\n\n", order == 1 ? "Linear" : "Quadratic",
-             in.getGlobalLength(), comm->getSize(), rounds);
+  fmt::print("\n{}, {} degrees of freedom, {} rank(s), {} rounds\n\n", cells.name, in.getGlobalLength(),
+             comm->getSize(), rounds);
   fmt::print("| W x | least, ms | median, ms | million a second | faster, by the least | by the median |\n");
   fmt::print("|---|---|---|---|---|---|\n");
   for (Way& way : ways) {
@@ -124,7 +119,10 @@ void measure(const ixos::Comm& comm, int divisions, int rounds, int order) {
 
 int main(int argc, char** argv) {
   Tpetra::ScopeGuard guard(&argc, &argv);
-  for (int order : {1, 2})
-    measure(Tpetra::getDefaultComm(), argc > 1 ? std::atoi(argv[1]) : 48, argc > 2 ? std::atoi(argv[2]) : 60, order);
+  std::vector<std::string> names{"Hex8", "Hex27"};
+  if (argc > 3) names.assign(argv + 3, argv + argc);
+  for (const std::string& name : names)
+    measure(Tpetra::getDefaultComm(), argc > 1 ? std::atoi(argv[1]) : 48, argc > 2 ? std::atoi(argv[2]) : 60,
+            ixos::test::block_cells_named(name));
   return 0;
 }

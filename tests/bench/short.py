@@ -27,12 +27,12 @@ RUNS = {
     "error_over_time.py": ("tests/bench/error_over_time.py", "--output", "{folder}/picture.png"),
     "error_over_unknowns.py": ("tests/bench/error_over_unknowns.py", "--output", "{folder}/picture.png"),
     "kernels_benchmark.cpp": ("{build}/tests/kernels_benchmark", "--benchmark_min_time=0.001"),
-    "product_times.cpp": ("{build}/tests/product_times", "4", "2"),
+    "product_times.cpp": ("{build}/tests/product_times", "4", "2", "Hex8", "Hex27", "Tet10", "Tet15"),
     "python_overhead.py": ("tests/bench/python_overhead.py",),
     "spatula_pictures.sh": ("tests/bench/spatula_pictures.sh", "{folder}/runs", "{folder}", "{ixos}", "--set",
                             "Mesh/Spatula/Target Cells=300", "--set", "Materials/Keratin/Stiffness Damping=6"),
     "spectral_properties.cpp": ("{build}/tests/spectral_properties",),
-    "static_solve.cpp": ("{build}/tests/static_solve", "4", "x1"),
+    "static_solve.cpp": ("{build}/tests/static_solve", "4", "x1", "Hex8", "Hex27", "Tet4", "Tet10", "Tet15"),
     "strip_pictures.sh": ("tests/bench/strip_pictures.sh", "{folder}/runs", "{folder}", "{ixos}", "--set",
                           "Mesh/Box/Divisions={{80, 4}}", "--set", "Time Integrator/Time Step Control/Time Step=1"),
     "tie_times.cpp": ("{build}/tests/tie_times", "6", "2"),
@@ -41,6 +41,7 @@ RUNS = {
 # By file: why it has no run.
 WITHOUT_RUN = {
     "advice_scenes.py": "advice_cases.py imports it",
+    "block_cells.hpp": "product_times.cpp and static_solve.cpp include it",
     "message_counter.cpp": "docs/measure ranks-messages loads it",
     "pictures.sh": "the scripts *_pictures.sh source it",
     "spatula_damping.sh": "spatula_pictures.sh calls it",

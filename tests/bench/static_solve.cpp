@@ -1,8 +1,8 @@
 // A static solve of a cube's elasticity, all displacements of its surface given: from the tangent to a relative
-// residual of 1e-8, set-up included. static_solve [DIVISIONS...] [xREPEATS]: linear cells, quadratic ones with the same
-// nodes; MueLu with an assembled tangent, MueLu with products without it, and Two-Level, in turns. Least times of the
-// repeats. The exact displacement is the gradient of a harmonic function, which needs no body force; the error is
-// relative, in L2.
+// residual of 1e-8, set-up included. static_solve [DIVISIONS...] [xREPEATS] [CELLS...]: cells of block_cells.hpp, Hex8
+// and Hex27 if none are named; MueLu with an assembled tangent, MueLu with products without it, and Two-Level, in
+// turns. Least times of the repeats. The exact displacement is the gradient of a harmonic function, which needs no body
+// force; the error is relative, in L2.
 #include <fmt/format.h>
 
 #include <Tpetra_Core.hpp>
@@ -10,6 +10,7 @@
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -17,14 +18,10 @@
 #include <string>
 #include <vector>
 
+#include "bench/block_cells.hpp"
+#include "discretization/cell_quadrature.hpp"
 #include "embedding/semi_discrete_tangent.hpp"
-#include "fem/cell_type.hpp"
-#include "fem/quadratic_elements.hpp"
-#include "fem/reference_elements.hpp"
-#include "mesh/cell_order.hpp"
-#include "mesh/generators/shapes.hpp"
-#include "mesh/partition.hpp"
-#include "mesh/refinement.hpp"
+#include "fem/with_element.hpp"
 #include "model/conditions.hpp"
 #include "model/model.hpp"
 #include "solve/choice/linear_solver.hpp"
@@ -46,28 +43,18 @@ std::array<double, 3> exact(const double* x) {
           k * c * std::sin(k * x[1]) * std::cos(k * x[2])};
 }
 
-ixos::LocalMesh cube(const ixos::Comm& comm, int divisions, int order) {
-  ixos::BoxShape shape;
-  shape.dimension = 3;
-  shape.divisions.fill(divisions / order);
-  ixos::Mesh mesh = ixos::box(shape);
-  if (order == 2) ixos::raise_order(mesh);
-  return ixos::local_part(mesh, comm);
-}
-
-/// Returns the relative error in L2 of a local array, by four Gauss points along each edge of a cell.
+/// Returns the relative error in L2 of a local array, by a rule of four points along each edge. All cells have one
+/// size.
 template <class Element>
 double error_of(const ixos::Model& model, const std::vector<double>& u) {
-  const std::array<double, 4> points{-0.861136311594053, -0.339981043584856, 0.339981043584856, 0.861136311594053};
-  const std::array<double, 4> weights{0.347854845137454, 0.652145154862546, 0.652145154862546, 0.347854845137454};
   std::array<double, Element::nodes> shape;
   std::array<std::array<double, 3>, Element::nodes> gradient;
   const ixos::LocalBlock& block = model.mesh().blocks.front();
+  const ixos::QuadratureRule<3> rule = ixos::cell_rule<Element>(block, 5 - ixos::CellTraits<Element>::order);
   std::array<double, 2> sums{};
-  for (std::size_t p = 0; p < 64; ++p) {
-    const std::size_t i = p / 16, j = p / 4 % 4, k = p % 4;
-    Element::evaluate({points[i], points[j], points[k]}, shape, gradient);
-    const double weight = weights[i] * weights[j] * weights[k];
+  for (std::size_t p = 0; p < rule.points.size(); ++p) {
+    Element::evaluate(rule.points[p], shape, gradient);
+    const double weight = rule.weights[p];
     for (int cell = 0; cell < block.cells(); ++cell) {
       if (block.owned[static_cast<std::size_t>(cell)] == 0) continue;
       std::array<double, 3> x{}, found{};
@@ -98,9 +85,8 @@ struct Result {
 
 class Problem {
  public:
-  Problem(const ixos::Comm& comm, int divisions, int order)
-      : order_(order),
-        model_(cube(comm, divisions, order), comm,
+  Problem(const ixos::Comm& comm, int divisions, const ixos::test::BlockCells& cells)
+      : model_(ixos::local_part(ixos::test::block_of(cells, divisions, 1), comm), comm,
                {{"body", ixos::neo_hooke(ixos::lame_constants(1, 0.3)), 1.0, 0, 0}}) {
     for (const int node : model_.mesh().node_sets[model_.mesh().node_set("surface")])
       for (int i = 0; i < 3; ++i) model_.constraints().add(3 * node + i, 0.0, nullptr);
@@ -143,7 +129,8 @@ class Problem {
     model_.space().import(x, inside.data());
     for (std::size_t i = 0; i < u.size(); ++i)
       if (!model_.constraints().holds(static_cast<int>(i))) u[i] = inside[i];
-    result.error = order_ == 1 ? error_of<ixos::Hex8>(model_, u) : error_of<ixos::Hex27>(model_, u);
+    result.error = ixos::with_solid_element(
+        model_.mesh().blocks.front().type, [&](auto tag) { return error_of<typename decltype(tag)::type>(model_, u); });
     return result;
   }
 
@@ -157,7 +144,6 @@ class Problem {
     return u;
   }
 
-  int order_;
   ixos::Model model_;
 };
 
@@ -167,11 +153,11 @@ struct Way {
   bool assembled;
 };
 
-void measure(const ixos::Comm& comm, int divisions, int repeats) {
+void measure(const ixos::Comm& comm, int divisions, int repeats, const std::vector<ixos::test::BlockCells>& all) {
   const std::array<Way, 3> ways{
       {{"MueLu, assembled", "MueLu", true}, {"MueLu, matrix-free", "MueLu", false}, {"Two-Level", "Two-Level", false}}};
-  for (const int order : {1, 2}) {
-    Problem problem(comm, divisions, order);
+  for (const ixos::test::BlockCells& cells : all) {
+    Problem problem(comm, divisions, cells);
     std::array<Result, ways.size()> best;
     for (int repeat = 0; repeat < repeats; ++repeat)
       for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -184,9 +170,9 @@ void measure(const ixos::Comm& comm, int divisions, int repeats) {
     if (comm->getRank() != 0) continue;
     for (std::size_t i = 0; i < ways.size(); ++i) {
       const Result& r = best[i];
-      fmt::print("| {} | {}^3 | {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2e} |\n",
-                 order == 1 ? "linear" : "quadratic", divisions / order, problem.dofs(), ways[i].name, r.iterations,
-                 r.setup, r.total - r.setup, r.total, best[0].total / r.total, r.error);
+      fmt::print("| {} | {}^3 | {} | {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.2f} | {:.2e} |\n", cells.name,
+                 divisions / cells.order, problem.dofs(), ways[i].name, r.iterations, r.setup, r.total - r.setup,
+                 r.total, best[0].total / r.total, r.error);
     }
     std::fflush(stdout);
   }
@@ -198,17 +184,21 @@ int main(int argc, char** argv) {
   Tpetra::ScopeGuard guard(&argc, &argv);
   const ixos::Comm comm = Tpetra::getDefaultComm();
   std::vector<int> divisions;
+  std::vector<ixos::test::BlockCells> cells;
   int repeats = 3;
   for (int i = 1; i < argc; ++i)
     if (argv[i][0] == 'x')
       repeats = std::atoi(argv[i] + 1);
-    else
+    else if (std::isdigit(static_cast<unsigned char>(argv[i][0])) != 0)
       divisions.push_back(std::atoi(argv[i]));
+    else
+      cells.push_back(ixos::test::block_cells_named(argv[i]));
   if (divisions.empty()) divisions = {48};
+  if (cells.empty()) cells = {ixos::test::block_cells_named("Hex8"), ixos::test::block_cells_named("Hex27")};
   if (comm->getRank() == 0)
     fmt::print(
         "| cells | | degrees of freedom | preconditioner | CG | set-up, s | CG, s | total, s | faster | error |\n"
         "|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const int n : divisions) measure(comm, n, repeats);
+  for (const int n : divisions) measure(comm, n, repeats, cells);
   return 0;
 }

@@ -234,6 +234,18 @@ TEST_F(DriverTest, ExplainTellsWhatIsModelledAndWhatIsLeftOut) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+TEST_F(DriverTest, ExplainNamesRefinementsAndTies) {
+  const auto expect = [this](const std::string& scene, const std::string& part) {
+    const Outcome outcome = ixos({scene, "--explain"}, folder_);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << part << " in " << outcome.output;
+  };
+  expect(std::string(IXOS_XML_DIRECTORY) + "/pillar-backing.xml",
+         "Tie Joint: the nodes of side set \"pillar_top\" follow side set \"backing_bottom\"\n");
+  expect(std::string(IXOS_TEST_DIRECTORY) + "/guide/refined-foot.xml",
+         "Refine Underside: 1 level(s)\nRefine Left Edge: 3 level(s)\n");
+}
+
 TEST_F(DriverTest, TheParameterDocumentIsCurrent) {
   EXPECT_EQ(ixos({"--parameters"}, folder_).output, contents(std::string(IXOS_DOCS_DIRECTORY) + "/parameters.md"))
       << "renew it: ixos --parameters > docs/parameters.md";

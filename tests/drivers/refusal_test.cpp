@@ -251,5 +251,14 @@ TEST_F(DriverRefusalTest, ScriptsOfDrawingsThatStartProgramsAreRefused) {
       "file, allow it with --trust-geometry");
 }
 
+TEST_F(DriverRefusalTest, BoxesBesideADrawingAreRefused) {
+  if (std::system("gmsh --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "gmsh is not installed";
+  expect_refused(
+      2,
+      {std::string(IXOS_XML_DIRECTORY) + "/../meshes/finger.xml", "--check", "--set",
+       "Mesh/Gmsh/Drawing/Size At/pad/Upper={-0.5, 10, 53} mm"},
+      "Size At/pad: the box from -1 to -0.5 L0 in direction x lies beside the drawing, which is from 0 to 16");
+}
+
 }  // namespace
 }  // namespace ixos::test

@@ -7,7 +7,11 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/cells/hexahedra.hpp"
+#include "fem/cells/prisms.hpp"
+#include "fem/cells/pyramids.hpp"
 #include "fem/cells/quadrilaterals.hpp"
+#include "fem/cells/tetrahedra.hpp"
+#include "fem/cells/triangles.hpp"
 #include "fem/contact_elements.hpp"
 #include "fem/contact_hexahedra.hpp"
 #include "fem/quadratic_contact_elements.hpp"
@@ -23,7 +27,9 @@ struct ElementNodes {
   static constexpr std::size_t N = Element::nodes;
   static constexpr std::size_t D = Element::dimension;
   static constexpr int dofs = static_cast<int>(N * D);
-  static constexpr bool quadratic = is_quadratic_element<Element>;
+  /// A triangle, tetrahedron, prism or pyramid.
+  static constexpr bool simplex = HasRule<Element>::value;
+  static constexpr bool quadratic = is_quadratic_element<Element> || (simplex && N > 2 * D);
   /// Quadratic, and enriched.
   static constexpr bool enriched = std::is_same_v<Element, Quad9C4> || std::is_same_v<Element, Hex27C4>;
   using Variable = Dual<dofs>;
@@ -33,6 +39,19 @@ struct ElementNodes {
   /// A block with these edges about the origin; derivative nodes of a Hermite side hold dX/dxi, of a Hermite face, seen
   /// from outside, those of y and x and the mixed one.
   static Nodal<double> block(const std::array<double, D>& edges) {
+    Nodal<double> x{};
+    if constexpr (simplex) {  // the reference element, its nodes between their corners
+      const auto all = Element::node_corners();
+      for (std::size_t a = 0; a < N; ++a)
+        for (const int c : all[a])
+          for (std::size_t d = 0; d < D; ++d)
+            x[a][d] += edges[d] * Element::corners[static_cast<std::size_t>(c)][d] / static_cast<double>(all[a].size());
+      return x;
+    } else {
+      return cube(edges);
+    }
+  }
+  static Nodal<double> cube(const std::array<double, D>& edges) {
     const auto corner = corners<static_cast<int>(D)>();
     Nodal<double> x{};
     for (std::size_t a = 0; a < N; ++a)

@@ -59,6 +59,21 @@ void add_pyramids(Mesh& mesh, Cells& cells, const int* nodes, bool right_is_spli
     }
 }
 
+/// Tetrahedra between a new node and halves of the faces.
+void add_twelve(Mesh& mesh, Cells& cells, const int* nodes) {
+  const int centre = add_centre(mesh, nodes);
+  for (const std::vector<int>& base : std::vector<std::vector<int>>{
+           {0, 4, 5, 1}, {3, 2, 6, 7}, {0, 3, 7, 4}, {0, 1, 2, 3}, {4, 7, 6, 5}, {1, 5, 6, 2}}) {
+    std::size_t first = 0;
+    for (std::size_t k = 1; k < 4; ++k)
+      if (nodes[base[k]] < nodes[base[first]]) first = k;
+    for (const std::size_t k : {1U, 2U})
+      for (const int node :
+           {nodes[base[first]], nodes[base[(first + k) % 4]], nodes[base[(first + k + 1) % 4]], centre})
+        cells[CellType::Tet4].push_back(node);
+  }
+}
+
 void split(Mesh& mesh, const std::string& kind, const int* nodes, double x, double width, Cells& cells) {
   const std::vector<std::vector<int>> two_triangles{{0, 1, 2}, {0, 2, 3}};
   if (kind == "triangles")
@@ -69,6 +84,8 @@ void split(Mesh& mesh, const std::string& kind, const int* nodes, double x, doub
     add(cells, CellType::Tri3, nodes, two_triangles);
   else if (kind == "tetrahedra")
     add(cells, CellType::Tet4, nodes, six_tetrahedra);
+  else if (kind == "twelve tetrahedra")
+    add_twelve(mesh, cells, nodes);
   else if (kind == "prisms")
     add(cells, CellType::Prism6, nodes, two_prisms);
   else if (kind == "pyramids")

@@ -9,6 +9,7 @@ namespace ixos::test {
 /// Returns a mesh of linear quadrilaterals or hexahedra, a grid as box() makes it, with its cells split. `kind`:
 /// - "triangles", "quads and triangles": two triangles for each quadrilateral, or for those of the right half;
 /// - "tetrahedra": six for each hexahedron, around its diagonal; "prisms": two; "pyramids": six around a new node;
+/// - "twelve tetrahedra": around a new node, faces cut at their corner of the lowest number; not only of a grid;
 /// - "hexahedra to tetrahedra": hexahedra at the left, one layer of cells with pyramids and two tetrahedra each, then
 ///   tetrahedra;
 /// - "hexahedra and prisms": hexahedra in the left half, prisms in the right.

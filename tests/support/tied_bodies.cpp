@@ -13,6 +13,7 @@
 #include "solve/choice/linear_solver_defaults.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
+#include "support/simplices.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
 
@@ -20,7 +21,8 @@ namespace ixos::test {
 namespace {
 
 /// A box whose inner nodes, and those of its sides at height 1, are off the grid.
-Mesh distorted_box(int dimension, double bottom, int along, int order) {
+Mesh distorted_box(int dimension, double bottom, int along, int order, const std::string& kind = "",
+                   bool bubbles = false) {
   const auto d = static_cast<std::size_t>(dimension);
   BoxShape shape;
   shape.dimension = dimension;
@@ -39,7 +41,25 @@ Mesh distorted_box(int dimension, double bottom, int along, int order) {
     for (std::size_t i = 0; inside && i < (meets ? d - 1 : d); ++i)
       x[i] += 0.08 * std::sin(7.0 * static_cast<double>(n) + 2.0 * static_cast<double>(i));
   }
-  if (order == 2) raise_order(mesh);
+  if (!kind.empty()) mesh = split_cells(mesh, kind);
+  if (order == 2) raise_order(mesh, bubbles);
+  return mesh;
+}
+
+/// Joins the boxes.
+Mesh stacked(int dimension, const Mesh& lower, const Mesh& upper) {
+  Mesh mesh = joined_parts({{"lower", lower}, {"upper", upper}});
+  for (ElementBlock& block : mesh.blocks) block.name = "body";
+  const auto d = static_cast<std::size_t>(dimension);
+  NodeSet outer{"outer", {}};
+  for (int node = 0; node < mesh.nodes(); ++node)
+    for (std::size_t i = 0; i < d; ++i) {
+      const double x = mesh.coordinates[static_cast<std::size_t>(node) * d + i], end = i + 1 == d ? 2 : 3;
+      if (x > 1e-9 && x < end - 1e-9) continue;
+      outer.nodes.push_back(node);
+      break;
+    }
+  mesh.node_sets.push_back(outer);
   return mesh;
 }
 
@@ -73,20 +93,20 @@ std::vector<double> spin_and_stretch(const Model& model, std::vector<double>& ve
 }  // namespace
 
 Mesh stacked_boxes(int dimension, int order) {
-  Mesh mesh = joined_parts({{"lower", distorted_box(dimension, 0, 3, order)},
-                            {"upper", distorted_box(dimension, 1, dimension == 2 ? 5 : 4, order)}});
-  for (ElementBlock& block : mesh.blocks) block.name = "body";
-  const auto d = static_cast<std::size_t>(dimension);
-  NodeSet outer{"outer", {}};
-  for (int node = 0; node < mesh.nodes(); ++node)
-    for (std::size_t i = 0; i < d; ++i) {
-      const double x = mesh.coordinates[static_cast<std::size_t>(node) * d + i], end = i + 1 == d ? 2 : 3;
-      if (x > 1e-9 && x < end - 1e-9) continue;
-      outer.nodes.push_back(node);
-      break;
-    }
-  mesh.node_sets.push_back(outer);
-  return mesh;
+  return stacked(dimension, distorted_box(dimension, 0, 3, order),
+                 distorted_box(dimension, 1, dimension == 2 ? 5 : 4, order));
+}
+
+Mesh stacked_boxes(const StackedCells& cells) {
+  return stacked(3, distorted_box(3, 0, 3, cells.order, cells.lower, cells.bubbles),
+                 distorted_box(3, 1, 4, cells.order, cells.upper, cells.bubbles));
+}
+
+std::vector<StackedCells> stacked_triangles() {
+  return {{"tetrahedra", ""},           {"", "tetrahedra"},
+          {"tetrahedra", "tetrahedra"}, {"prisms", "hexahedra and prisms"},
+          {"tetrahedra", "", 2},        {"tetrahedra", "tetrahedra", 2, true},
+          {"", "prisms", 2, true}};
 }
 
 void expect_affine_motion(const Mesh& mesh, const Material& material, const std::string& node_set, const Table& table,

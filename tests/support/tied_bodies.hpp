@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "mesh/mesh.hpp"
 #include "model/material.hpp"
@@ -14,6 +15,16 @@ namespace ixos::test {
 /// also those where the boxes meet, which stay in that plane. Side sets "lower_top", "upper_bottom" and those of the
 /// boxes' other sides; node set "outer": all nodes at the outside of both. The cells are of that order.
 Mesh stacked_boxes(int dimension, int order);
+
+/// The cells of two boxes in space: kinds of split_cells(), or "" for hexahedra; with nodes in triangles and insides.
+struct StackedCells {
+  std::string lower, upper;
+  int order = 1;
+  bool bubbles = false;
+};
+Mesh stacked_boxes(const StackedCells& cells);
+/// Those with triangles on one or both of the surfaces that meet, which the upper one can follow.
+std::vector<StackedCells> stacked_triangles();
 
 /// Expects that a body moves by an affine motion, uniform in time, if the nodes of that set do; those of the set that
 /// are tied are left to their ties. Tolerance 1e-10, matrix-free 1e-8.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/by_hand.hpp"
+#include "support/simplices.hpp"
 #include "support/tangents.hpp"
 #include "support/two_bodies.hpp"
 #include "term/friction_fixture.hpp"
@@ -95,6 +96,9 @@ inline std::vector<Rubbing> rubbing_bodies(FrictionType type, Smoothing smoothin
   all.emplace_back(two_disks(3, {5, 3.72}), "a_surface", "b_surface", std::vector<double>{5, 3.72}, type, smoothing);
   all.emplace_back(two_balls(2, {2.37, 1.97, 2.8}, 4, 1), "a_surface", "b_surface",
                    std::vector<double>{2.37, 1.97, 2.8}, type, smoothing);
+  if (smoothing != Smoothing::Spline)
+    all.emplace_back(split_cells(two_boxes(0.26), "tetrahedra"), "upper_bottom", "lower_top",
+                     std::vector<double>{0, 0, 0.2}, type, smoothing);
   return all;
 }
 

@@ -39,6 +39,17 @@ TEST(TiedSurfacesTest, AffineMotionsPass) {
   test::expect_affine_motion(tied_boxes(2, ContactElement::Q1C1), rubber, "outer", energy_momentum(), false);
 }
 
+TEST(TiedSurfacesTest, AffineMotionsPassBetweenTriangles) {
+  for (const test::StackedCells& cells : test::stacked_triangles()) {
+    SCOPED_TRACE(cells.lower + " below " + cells.upper + ", order " + std::to_string(cells.order));
+    Material rubber = test::elastic(neo_hooke, 0.3);
+    if (cells.bubbles) rubber.formulation = Formulation::MeanDilatation;
+    Mesh mesh = test::stacked_boxes(cells);
+    tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
+    test::expect_affine_motion(mesh, rubber, "outer", newmark(0.25, 0.5), !cells.bubbles);
+  }
+}
+
 TEST(TiedSurfacesTest, AffineMotionsPassByFormulationsAgainstLocking) {
   for (const Formulation formulation : {Formulation::Enhanced, Formulation::MeanDilatation}) {
     Material rubber = test::elastic(neo_hooke, 0.3);

@@ -1,4 +1,4 @@
-"""Cook's membrane near Poisson's ratio 1/2: deflection, ripple of the pressure, and Newton's iterations, by cells."""
+"""Cook's membrane and a twisted bar near Poisson's ratio 1/2: results, ripple of the pressure, Newton's iterations."""
 import numpy
 from netCDF4 import Dataset  # pylint: disable=no-name-in-module
 
@@ -64,12 +64,51 @@ def measure(context):
     return rows
 
 
+# The twisted bar: constants of the drawing, order, formulation.
+TETRAHEDRON = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3))
+HEXAHEDRON = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+SOLIDS = {"structured hexahedra": (HEXAHEDRON, 1, 0), "structured tetrahedra": (TETRAHEDRON, 1, 1),
+          "gmsh's tetrahedra": (TETRAHEDRON, 0, 1)}
+BAR = "meshes/bar.xml"
+BARS = (("structured hexahedra", 1, MEAN), ("structured hexahedra", 2, STANDARD), ("structured hexahedra", 2, MEAN),
+        ("structured tetrahedra", 2, STANDARD), ("structured tetrahedra", 2, MEAN),
+        ("gmsh's tetrahedra", 2, STANDARD), ("gmsh's tetrahedra", 2, MEAN))
+
+
+def measure_bar(context):
+    """Twists the bar by a quarter of a turn in ten steps with each kind of cells at each ratio."""
+    rows = []
+    for mesh, order, formulation in context.pick(BARS, BARS[3:4]):
+        sides, structured, tetrahedra = SOLIDS[mesh]
+        divisions = context.pick(8, 2) // order
+        row = {"mesh": mesh, "cells": f"{'linear' if order == 1 else 'quadratic'}, {formulation}"}
+        for ratio in context.pick(RATIOS, RATIOS[:2]):
+            summary = context.run(BAR, [
+                f"{DRAWING}/Constants/structured={structured}", f"{DRAWING}/Constants/tetrahedra={tetrahedra}",
+                f"{DRAWING}/Constants/divisions={divisions}", f"{DRAWING}/Size={1 / divisions} mm",
+                f"Mesh/Cell Order={order}", f"Materials/Rubber/Element Formulation={formulation}",
+                f"Materials/Rubber/Poisson's Ratio={ratio}", f"Materials/Rubber/Young's Modulus={2 * (1 + ratio)} MPa",
+                "Time Integrator/Time Step Control/Time Step=0.1"], frames=True)
+            row["dofs"] = summary["dofs"]
+            row[f"moment {ratio}"] = context.history()["moment_Twist_z"][-1]
+            row[f"ripple {ratio}"] = ripple(context.folder / "run/fields.e", sides)
+            row[f"iterations {ratio}"] = summary["newton_iterations"] / summary["steps"]
+        rows.append(row)
+    return rows
+
+
+def columns_of(titles):
+    """Returns the columns of these titles, formats and keys, each at all ratios."""
+    return [Column(f"{title} at {ratio}", form, f"{key} {ratio}") for title, form, key in titles for ratio in RATIOS]
+
+
+RIPPLE, ITERATIONS = ("ripple", "{:.3f}", "ripple"), ("iterations a step", "{:.1f}", "iterations")
 TABLES = [
     Table(name="elements-incompressible", page=PAGE, code=bodies.MECHANICS, minutes=1, measure=measure,
           columns=[Column("mesh"), Column("cells"), Column("degrees of freedom", "{:,}", "dofs"),
-                   *(Column(f"{title} at {ratio}", form, f"{key} {ratio}")
-                     for title, form, key in (("deflection, mm", "{:.3f}", "tip"), ("ripple", "{:.3f}", "ripple"),
-                                              ("iterations a step", "{:.1f}", "iterations"))
-                     for ratio in RATIOS),
+                   *columns_of((("deflection, mm", "{:.3f}", "tip"), RIPPLE, ITERATIONS)),
                    Column("without mixed steps", "{:.1f}", "plain")]),
+    Table(name="elements-twist", page=PAGE, code=bodies.MECHANICS, minutes=5, measure=measure_bar,
+          columns=[Column("mesh"), Column("cells"), Column("degrees of freedom", "{:,}", "dofs"),
+                   *columns_of((("moment, N mm", "{:.4f}", "moment"), RIPPLE, ITERATIONS))]),
 ]

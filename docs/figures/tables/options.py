@@ -8,7 +8,8 @@ from ..table import Column, Table
 BASE = "as it is"
 OPTIONS = [BASE, "Exodus frame every step", "damping", "viscosity", "one Maxwell branch", "linear elastic",
            "quadratic cells, the same nodes", "no inertia", "cutoff at 2 L0", "Morse", "sphere of radius 1e5 L0",
-           "friction", "Q1C4", "cells of twice the size, refined at the foot", "guided by a plane of symmetry"]
+           "friction", "Q1C4", "cells of twice the size, refined at the foot", "guided by a plane of symmetry",
+           "two stages"]
 STUDY = forms.ShortStudy({FINAL_TIME: "45"}, {"Option": OPTIONS}, {}, {"Interval": "{20, 45}"})
 
 

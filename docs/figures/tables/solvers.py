@@ -107,7 +107,7 @@ def compare_small(context, cells, order, lengths):
 def measure_static(context):
     """Solves the elasticity of a cube with MueLu and with two levels, in turns within the program."""
     found = {}
-    for row in markdown_rows(context.run_text("static_solve", *context.pick((14, 48), (8,)), "x2")):
+    for row in markdown_rows(context.run_text("static_solve", *context.pick((14, 48), (8,)), "x2", "Tet4", *CELLS)):
         cells, way = f"{row['']} {row['cells']}", row["preconditioner"]
         found.setdefault(cells, {"cells": cells}).update({
             "dofs": int(row["degrees of freedom"]), "error": float(row["error"]), f"CG {way}": int(row["CG"]),
@@ -119,22 +119,22 @@ def measure_static(context):
 
 # Cells along an edge, ranks, rounds.
 PRODUCTS = ((16, 1, 400), (48, 1, 40), (48, 2, 40))
+CELLS = ("Hex8", "Hex27", "Tet10", "Tet15")
+WAYS = ("matrix-free", "matrix-free, single precision", "matrix-free, stiffness damping",
+        "matrix-free, four points in time", "ghosts alone")
 
 
 def measure_products(context):
-    """Times products with the tangent of a block in turns within the program, for linear and for quadratic cells."""
-    rows = {}
-    for edge, ranks, rounds in context.pick(PRODUCTS, ((16, 1, 20),)):
+    """Times products with the tangent of a block in turns within the program, for each type of cells."""
+    rows = []
+    for kind, (edge, ranks, rounds) in itertools.product(CELLS, context.pick(PRODUCTS, ((16, 1, 20),))):
         launcher = ["mpirun", "-np", ranks] if ranks > 1 else []
-        text = context.execute([*launcher, context.program("product_times"), edge, rounds]).output
-        linear, _, quadratic = text.partition("Quadratic cells")
-        for kind, part in ("Hex8", linear), ("Hex27", quadratic):
-            medians = {row["W x"]: float(row["median, ms"]) for row in markdown_rows(part)}
-            for name, median in medians.items():
-                place = f"{kind} {edge} {ranks}"
-                rows.setdefault(name, {"product": name}).update({place: median / medians["matrix"],
-                                                                 f"ms {place}": median})
-    return list(rows.values())
+        text = context.execute([*launcher, context.program("product_times"), edge, rounds, kind]).output
+        medians = {row["W x"]: float(row["median, ms"]) for row in markdown_rows(text)}
+        rows.append({"cells": kind, "ranks": ranks, "dofs": int(re.search(r"(\d+) degrees of freedom", text)[1]),
+                     **{name: medians[name] / medians["matrix"] for name in WAYS},
+                     "ms matrix": medians["matrix"], "ms matrix-free": medians["matrix-free"]})
+    return rows
 
 
 def measure_ties(context):
@@ -166,17 +166,6 @@ def measure_starts(context):
     return rows
 
 
-def product_columns():
-    """Returns the columns of products: the ratios first."""
-    def title(kind, edge, ranks):
-        return f"{kind}, {3 * (edge + 1) ** 3:,} unknowns, {ranks} rank{'s' * (ranks > 1)}"
-
-    kinds = ("Hex8", "Hex27")
-    columns = [Column(title(kind, edge, ranks), "{:.2f}", f"{kind} {edge} {ranks}")
-               for edge, ranks, _ in PRODUCTS for kind in kinds]
-    return columns + [Column("ms, " + title(kind, 48, 1), "{:.2f}", f"ms {kind} 48 1") for kind in kinds]
-
-
 TABLES = [
     Table(name="solvers-band", page=PAGE, code=MECHANICS, minutes=1.5, measure=measure_band,
           columns=[Column("scene"), Column("Band to the other", "{:.2f}", "time"), Column("the other", key="other"),
@@ -200,7 +189,10 @@ TABLES = [
                    Column("s, Two-Level", "{:.3f}", "s Two-Level"),
                    Column("s, MueLu", "{:.3f}", "s MueLu, assembled")]),
     Table(name="solvers-products", page=PAGE, code=(*MECHANICS, "tests/bench/product_times.cpp"), minutes=1,
-          needs=("product_times",), measure=measure_products, columns=[Column("product"), *product_columns()]),
+          needs=("product_times",), measure=measure_products,
+          columns=[Column("cells"), Column("unknowns", "{:,}", "dofs"), Column("ranks"),
+                   *(Column(name, "{:.2f}") for name in WAYS), Column("ms, matrix", "{:.2f}", "ms matrix"),
+                   Column("ms, matrix-free", "{:.2f}", "ms matrix-free")]),
     Table(name="solvers-ties", page=PAGE, code=(*MECHANICS, "tests/bench/tie_times.cpp"), minutes=1,
           needs=("tie_times",), measure=measure_ties,
           columns=[Column("work, for each unknown", key="work"), Column("hanging nodes", "{:.2f}", "hanging"),

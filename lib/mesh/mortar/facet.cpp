@@ -9,6 +9,7 @@
 #include "base/vector3.hpp"
 #include "fem/cell_info.hpp"
 #include "fem/cell_traits.hpp"
+#include "fem/cells/triangles.hpp"
 #include "fem/quadratic_elements.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
@@ -17,12 +18,18 @@ namespace ixos {
 
 Facet::Facet(const Mesh& mesh, const Side& side)
     : dimension_(mesh.dimension - 1),
+      corners_(static_cast<std::size_t>(count_of(corners_of(mesh, side)))),
       order_(cell_info(mesh.blocks[static_cast<std::size_t>(side.block)].type).order),
       nodes_(nodes_of_side(mesh, side)),
       normal_(outward_normal(mesh, side)) {
   places_.reserve(nodes_.size());
   for (const int node : nodes_) places_.push_back(node_place(mesh, node));
   normal_ = 1 / length(normal_) * normal_;
+}
+
+int Facet::degree() const {
+  if (is_triangle()) return nodes_.size() == 7 ? 3 : order_;
+  return dimension_ * order_;
 }
 
 double Facet::size() const {
@@ -52,13 +59,17 @@ bool Facet::is_affine() const {
     origin = origin + at_middle.value[a] * places_[a];
     for (std::size_t d = 0; d < 2; ++d) slope[d] = slope[d] + at_middle.gradient[a][d] * places_[a];
   }
+  const auto is_off = [&](const Vec<2>& xi) {
+    return length(point(xi) - (origin + xi[0] * slope[0] + xi[1] * slope[1])) > 1e-9 * size();
+  };
   // The map is the affine one if it is at as many points as it has nodes.
+  if (is_triangle() && is_off(start())) return false;
   const int along = order_ + 1, across = dimension_ == 1 ? 1 : along;
   for (int j = 0; j < across; ++j)
     for (int i = 0; i < along; ++i) {
-      const Vec<2> xi{2.0 * i / order_ - 1, dimension_ == 1 ? 0.0 : 2.0 * j / order_ - 1};
-      const Vec<3> off = point(xi) - (origin + xi[0] * slope[0] + xi[1] * slope[1]);
-      if (length(off) > 1e-9 * size()) return false;
+      if (is_triangle() && i + j > order_) continue;
+      const double s = static_cast<double>(i) / order_, t = static_cast<double>(j) / order_;
+      if (is_off(is_triangle() ? Vec<2>{s, t} : Vec<2>{2 * s - 1, dimension_ == 1 ? 0.0 : 2 * t - 1})) return false;
     }
   return true;
 }
@@ -75,13 +86,15 @@ std::vector<Polygon> Facet::images(const ProjectionPlane& plane) const {
     return polygon;
   };
   if (dimension_ == 1) return {image({0, 1})};
+  if (is_triangle() && order_ == 2) return {image({0, 3, 5}), image({3, 1, 4}), image({5, 4, 2}), image({3, 4, 5})};
+  if (is_triangle()) return {image({0, 1, 2})};
   if (order_ == 2) return {image({0, 4, 8, 7}), image({4, 1, 5, 8}), image({8, 5, 2, 6}), image({7, 8, 6, 3})};
   return {image({0, 1, 2, 3})};
 }
 
 std::optional<Vec<2>> Facet::find(const ProjectionPlane& plane, const Vec<2>& image) const {
   constexpr double far = 3;  // twice as far from the middle as the edges, at least
-  Vec<2> xi{};
+  Vec<2> xi = start();
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Shape here = shape(xi);
     Vec<2> off = image;
@@ -127,15 +140,19 @@ Facet::Shape Facet::shape(const Vec<2>& xi) const {
     return result;
   };
   if (dimension_ == 1) return order_ == 1 ? evaluate(TypeTag<Line2>{}) : evaluate(TypeTag<LagrangeEdge<2>>{});
+  if (is_triangle())
+    return order_ == 1          ? evaluate(TypeTag<Tri3>{})
+           : nodes_.size() == 6 ? evaluate(TypeTag<Tri6>{})
+                                : evaluate(TypeTag<Tri7>{});
   return order_ == 1 ? evaluate(TypeTag<Quad4>{}) : evaluate(TypeTag<Quad9>{});
 }
 
 std::vector<Facet> Facet::edges() const {
-  std::vector<Facet> edges(4, Facet());
+  std::vector<Facet> edges(corners_, Facet());
   for (std::size_t k = 0; k < edges.size(); ++k) {
     edges[k].order_ = order_;
-    std::vector<std::size_t> own{k, (k + 1) % 4};
-    if (order_ == 2) own.push_back(4 + k);
+    std::vector<std::size_t> own{k, (k + 1) % corners_};
+    if (order_ == 2) own.push_back(corners_ + k);
     edges[k].nodes_.reserve(own.size());
     edges[k].places_.reserve(own.size());
     for (const std::size_t a : own) {

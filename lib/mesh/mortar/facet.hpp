@@ -18,7 +18,7 @@ struct ProjectionPlane {
   Vec<2> image(const Vec<3>& x) const { return {inner(x - origin, axes[0]), inner(x - origin, axes[1])}; }
 };
 
-/// A side of a plain quadrilateral or hexahedron, or an edge of such a side: its nodes and their shape functions.
+/// A side of a plain cell, or an edge of such a side: its nodes and their shape functions.
 class Facet {
  public:
   Facet(const Mesh& mesh, const Side& side);
@@ -28,9 +28,12 @@ class Facet {
   const std::vector<Vec<3>>& places() const { return places_; }
   int dimension() const { return dimension_; }
   /// Returns the number of corners; they are the first nodes.
-  std::size_t corners() const { return dimension_ == 1 ? 2 : 4; }
+  std::size_t corners() const { return corners_; }
   /// Returns the degree of the shape functions as polynomials of the reference coordinates.
-  int degree() const { return dimension_ * order_; }
+  int degree() const;
+  /// Returns whether the integrals of all shape functions are positive, so that they have dual ones: all but those of
+  /// triangles with six nodes, whose corners have none.
+  bool has_dual_functions() const { return !is_triangle() || nodes_.size() != 6; }
   /// Returns the mean of the corners.
   Vec<3> middle() const;
   /// Returns the longest distance between two corners [L0].
@@ -62,8 +65,12 @@ class Facet {
     std::vector<Vec<2>> gradient;
   };
   Shape shape(const Vec<2>& xi) const;
+  bool is_triangle() const { return corners_ == 3; }
+  /// Returns the reference coordinates from which Newton's method starts.
+  Vec<2> start() const { return is_triangle() ? Vec<2>{1.0 / 3, 1.0 / 3} : Vec<2>{}; }
 
   int dimension_ = 1;
+  std::size_t corners_ = 2;
   int order_ = 1;  ///< of the cell
   std::vector<int> nodes_;
   std::vector<Vec<3>> places_;

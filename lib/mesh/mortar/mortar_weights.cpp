@@ -50,7 +50,7 @@ NodeWeights common_boundary(const MortarSurfaces& surfaces) {
   return weights.failed == nullptr ? weights.of_node : NodeWeights();  // else the boundary follows the surface
 }
 
-/// Returns, by node of the boundary, its neighbours inside; empty if one of them has none.
+/// Returns, by node of the boundary, its nearest neighbours inside; empty if one of them has none.
 std::map<int, std::set<int>> heirs_of(const std::vector<Facet>& facets, const NodeWeights& boundary) {
   std::map<int, std::set<int>> heirs;
   for (const auto& entry : boundary) heirs[entry.first];
@@ -61,6 +61,19 @@ std::map<int, std::set<int>> heirs_of(const std::vector<Facet>& facets, const No
       for (const int other : facet.nodes())
         if (heirs.count(other) == 0) found->second.insert(other);
     }
+  // A triangle in a corner of the surface has all its nodes on the boundary: their neighbours' heirs are theirs.
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const Facet& facet : facets)
+      for (const int node : facet.nodes()) {
+        const auto found = heirs.find(node);
+        if (found == heirs.end() || !found->second.empty()) continue;
+        for (const int other : facet.nodes())
+          if (const auto neighbour = heirs.find(other); neighbour != heirs.end())
+            found->second.insert(neighbour->second.begin(), neighbour->second.end());
+        grows = grows || !found->second.empty();
+      }
+  }
   for (const auto& entry : heirs)
     if (entry.second.empty()) return {};
   return heirs;

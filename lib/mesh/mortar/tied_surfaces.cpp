@@ -35,13 +35,18 @@ Surface surface_of(const Mesh& mesh, const std::string& name) {
   if (set.sides.empty()) throw InputError(fmt::format("the side set \"{}\" has no sides", name));
   Surface surface{name, nodes_of(mesh, set), {}};
   surface.sides.reserve(set.sides.size());
-  for (const Side& side : set.sides) {
-    if (mesh.dimension == 3 && count_of(corners_of(mesh, side)) == 3)
-      throw InputError(
-          fmt::format("the side set \"{}\" has triangles; surfaces of quadrilaterals alone can be tied", name));
-    surface.sides.emplace_back(mesh, side);
-  }
+  for (const Side& side : set.sides) surface.sides.emplace_back(mesh, side);
   return surface;
+}
+
+void refuse_sides_without_dual_functions(const Surface& secondary) {
+  const auto has_none = [](const Facet& side) { return !side.has_dual_functions(); };
+  if (std::none_of(secondary.sides.begin(), secondary.sides.end(), has_none)) return;
+  throw InputError(
+      fmt::format("the side set \"{}\" has triangles of six nodes, which can be followed but cannot follow: the "
+                  "functions of their corners have no area. Exchange it with the primary one, give the cells nodes in "
+                  "their triangles (Mean Dilatation, Cell Order 2), or use linear cells",
+                  secondary.name));
 }
 
 void refuse_nodes(const Mesh& mesh, const Surface& secondary, const Surface& primary) {
@@ -154,6 +159,7 @@ class SurfaceTie {
 
 void tie_surfaces(Mesh& mesh, const std::string& secondary, const std::string& primary, double tolerance) {
   const Surface followers = surface_of(mesh, secondary), leaders = surface_of(mesh, primary);
+  refuse_sides_without_dual_functions(followers);
   refuse_nodes(mesh, followers, leaders);
   SurfaceTie(mesh, followers, leaders, tolerance).apply();
   for (const Surface* surface : {&followers, &leaders})

@@ -65,6 +65,18 @@ std::string cell_types(const LocalMesh& mesh) {
       bubbles ? " (with nodes in triangles and insides, for Mean Dilatation or for explicit steps)" : "");
 }
 
+/// Returns a line for each list that splits cells or ties sides.
+std::string refinements_and_ties(const SceneNode& mesh) {
+  std::string text;
+  for (const SceneNode& own : mesh.sublist("Refine").sublists())
+    text += fmt::format("Refine {}: {} level(s)\n", own.name(), own.count("Levels"));
+  for (const auto& [list, what] : {std::pair("Ties", "Tie"), std::pair("Periodic", "Periodic sides")})
+    for (const SceneNode& own : mesh.sublist(list).sublists())
+      text += fmt::format("{} {}: the nodes of side set \"{}\" follow side set \"{}\"\n", what, own.name(),
+                          own.text("Side Set"), own.text("Primary Side Set"));
+  return text;
+}
+
 std::string bodies(const Simulation& simulation) {
   const LocalMesh& mesh = simulation.model().mesh();
   std::string text =
@@ -80,6 +92,7 @@ std::string bodies(const Simulation& simulation) {
   for (std::size_t k = 0; k < parts.size() && parts[k].path() != "Mesh"; ++k)
     text += fmt::format("{}{} ({}){}", k == 0 ? "Parts: " : "", parts[k].name(), parts[k].text("Type"),
                         k + 1 == parts.size() ? "\n" : ", ");
+  text += refinements_and_ties(SceneNode(simulation.parameters().sublist("Mesh"), "Mesh"));
   if (!simulation.set_sizes().empty()) text += "Sets:\n";
   for (const SetSize& size : simulation.set_sizes())
     text += fmt::format("  {}\n", in_words(size, mesh.body_dimension()));
@@ -112,9 +125,10 @@ std::string friction_of(const SceneInteraction& interaction, const LocalMesh& me
 std::string double_integral_in_words(const SceneInteraction& own, const LocalMesh& mesh) {
   const auto points_of = [&](const std::string& set) {
     const auto whole = mesh.whole_side_sets.find(set);
-    const std::size_t sides =
-        whole != mesh.whole_side_sets.end() ? whole->second.size() : mesh.side_sets[mesh.side_set(set)].size();
-    return static_cast<double>(sides) * std::pow(points_on_a_side(own.points), mesh.dimension - 1);
+    const std::vector<LocalSide>& sides =
+        whole != mesh.whole_side_sets.end() ? whole->second : mesh.side_sets[mesh.side_set(set)];
+    return static_cast<double>(number_of_patches(mesh, sides)) *
+           std::pow(points_on_a_patch(own.points, has_triangles(mesh, sides)), mesh.dimension - 1);
   };
   const double first = points_of(own.side_set), second = points_of(own.primary);
   return fmt::format(

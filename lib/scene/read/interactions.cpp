@@ -53,7 +53,9 @@ const Options<InteractionSettings>& options() {
                   "Shape of both surfaces of a pair between their nodes: Catmull-Rom is a smooth curve through the "
                   "nodes, with corners where two sides meet at more than 30 degrees; Spline is a "
                   "curve near the nodes with the same corners and one curvature between them; None has straight "
-                  "sides, whose normals jump at the nodes. It has no effect without a Primary Side Set.")
+                  "sides, whose normals jump at the nodes. Catmull-Rom gives surfaces with triangles curved sides, "
+                  "whose normals jump a little; Spline is not there for them. It has no effect without a Primary Side "
+                  "Set.")
           .add("Exclusion", &InteractionSettings::exclusion,
                "For a surface that interacts with itself, whose Primary Side Set is its Side Set: distance along the "
                "undeformed surface below which its parts do not interact [L0]. Take about pi times the Cutoff, which "
@@ -81,7 +83,9 @@ const Options<InteractionSettings>& options() {
                between(0, 64))
           .add("Surface Points", &InteractionSettings::points,
                "Number of Gauss points per direction on each side of the surface. With 0 it is 5, or 8 for Q1C3, Q1C4, "
-               "Q1CH and Q2C4. Triangles have 1, 6, 7, 12 and 16 points for 1 to 5, and from 6 on the square.",
+               "Q1CH and Q2C4. Triangles have 1, 6, 7, 12 and 16 points for 1 to 5, and from 6 on the square; in "
+               "surfaces of two bodies three times, quadrilaterals beside them four times, the square of half as many "
+               "per direction, rounded up.",
                between(0, most_points_on_a_side))
           .add("Cutoff", &InteractionSettings::cutoff,
                "Gap beyond which the interaction is neglected [L0]. The error of the traction is at most the traction "

@@ -2,8 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <string>
 
 #include "base/digest.hpp"
 #include "interaction/catalogue.hpp"
@@ -45,9 +44,9 @@ std::vector<double> obstacle_file_checksums(const Teuchos::ParameterList& scene)
     const Teuchos::ParameterList& own = interactions.sublist(name);
     const auto obstacle = own.get<std::string>("Obstacle");
     if (!own.isSublist(obstacle) || !own.sublist(obstacle).isType<std::string>("File")) continue;
-    std::ifstream file = open_text(own.sublist(obstacle).get<std::string>("File"));
-    if (!file.is_open()) continue;
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const auto file = own.sublist(obstacle).get<std::string>("File");
+    if (!is_file(file)) continue;
+    const std::string bytes = read_whole_file(file);
     for (const std::uint64_t word : checksum(bytes.data(), bytes.size()))
       for (const std::uint64_t half : {word >> 32U, word & 0xffffffffU}) numbers.push_back(static_cast<double>(half));
   }

@@ -51,7 +51,7 @@ void conclude(const AdviceQuestion& question, AdviceSearch& search, Advice& advi
   const AdviceCandidate* best =
       advice.status == AdviceStatus::Advised ? cheapest_within(tested, question.tolerance) : most_accurate(tested);
   if (best == nullptr) {
-    advice.problem = "The runs are too few to estimate errors.";
+    advice.problem = "The runs are too few to estimate errors." + (advice.problem.empty() ? "" : " " + advice.problem);
     for (const AdviceSample& sample : search.runs().samples())
       if (!sample.good)
         advice.problem += fmt::format(" {}: {}.", description_of(advice.directions, sample.point), sample.reason);

@@ -14,9 +14,11 @@ namespace ixos {
 template <std::size_t D>
 class DensePairs {
  public:
-  /// `points`: per direction on each side. The surfaces must outlive it.
+  /// `points`: per direction on each side, 0 for the default. The surfaces must outlive it.
   DensePairs(const PairSurfaces<D>& surfaces, const PairKernel<D>& kernel, int points)
-      : kernel_(kernel), first_(surfaces.secondary, points), second_(surfaces.primary, points) {}
+      : kernel_(kernel),
+        first_(surfaces.secondary, surfaces.secondary.points_along(points)),
+        second_(surfaces.primary, surfaces.primary.points_along(points)) {}
 
   double energy(const PairPlaces<D>& places, const std::vector<char>& acts) const;
   /// Returns the force on the secondary surface, minus the derivative by a common motion of its points.

@@ -10,8 +10,8 @@ namespace ixos {
 
 /// Returns the interaction with the energy of both surfaces, the sum of (a1 . a2) W(r) over all pairs of their points,
 /// a the vectors of SurfaceElements: the one of two bodies if the surfaces are closed, for any curvature. The density
-/// of the deformed bodies is that of the law. The work grows with the product of the numbers of points, `points` per
-/// direction on each side, and the matrix is dense: it is a reference for small surfaces. Points must lie closer to
+/// of the deformed bodies is that of the law. The work grows with the product of the numbers of points, `points` (0: 5)
+/// per direction on each side, and the matrix is dense: it is a reference for small surfaces. Points must lie closer to
 /// each other than a third of the gap.
 ///
 /// `distance`: the interaction of the same surfaces by the least distance. It says which gaps and steps are admissible,

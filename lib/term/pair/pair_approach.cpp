@@ -7,14 +7,15 @@
 namespace ixos {
 namespace {
 
-/// Returns the largest distance of a patch's corners from its first one.
+/// Returns the largest distance between two corners of a patch's side.
 template <std::size_t D>
 double longest_side(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x) {
   double longest = 0;
   for (const SurfacePatch<D>& patch : patches)
-    for (std::size_t a = 0; a < (D == 2 ? 2 : 4); ++a)
-      longest = std::max(
-          longest, length(x[static_cast<std::size_t>(patch.nodes[a])] - x[static_cast<std::size_t>(patch.nodes[0])]));
+    for (std::size_t a = 0; a < patch.side_corners; ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        longest = std::max(
+            longest, length(x[static_cast<std::size_t>(patch.nodes[a])] - x[static_cast<std::size_t>(patch.nodes[b])]));
   return longest;
 }
 

@@ -20,10 +20,9 @@ class PairFriction final : public FrictionInteraction {
   using Memory = typename PairSlip<D>::Memory;
 
  public:
-  PairFriction(const LocalMesh& mesh, PairSurfaces<D> surfaces, const std::vector<LocalSide>& sides,
-               const Pattern& pattern, std::shared_ptr<const GapLaw> law, const FrictionLaw& friction,
-               const PairOptions& options)
-      : pattern_(pattern), slip_(mesh, std::move(surfaces), sides, std::move(law), friction, options) {}
+  PairFriction(const LocalMesh& mesh, PairSurfaces<D> surfaces, const Pattern& pattern,
+               std::shared_ptr<const GapLaw> law, const FrictionLaw& friction, const PairOptions& options)
+      : pattern_(pattern), slip_(mesh, std::move(surfaces), std::move(law), friction, options) {}
 
   // The life over steps.
   void initialize(const KnownState&, TermHistories& histories) const override {
@@ -113,9 +112,9 @@ class PairFriction final : public FrictionInteraction {
 
   void add_nodal_measure(CountedSides& counted, double* measure) const override {
     const PairPoints<D>& points = slip_.points();
-    for (std::size_t s = 0; s < points.secondary().patches.size(); ++s)
-      if (counted.insert(points.secondary().sides[s]).second)
-        for_each_point(s, [&](const Contact& contact) { add_weighted(contact, points.area(contact), measure); });
+    points.count(counted, [&](std::size_t patch) {
+      for_each_point(patch, [&](const Contact& contact) { add_weighted(contact, points.area(contact), measure); });
+    });
   }
 
   void add_nodal(SurfaceNumber number, const Place& at, double* by_node) const override {
@@ -234,20 +233,16 @@ class PairFriction final : public FrictionInteraction {
 }  // namespace
 
 template <std::size_t D>
-std::unique_ptr<Interaction> make_pair_friction(const LocalMesh& mesh, PairSurfaces<D> surfaces,
-                                                const std::vector<LocalSide>& sides, const Pattern& pattern,
+std::unique_ptr<Interaction> make_pair_friction(const LocalMesh& mesh, PairSurfaces<D> surfaces, const Pattern& pattern,
                                                 std::shared_ptr<const GapLaw> law, const FrictionLaw& friction,
                                                 const PairOptions& options) {
-  return std::make_unique<PairFriction<D>>(mesh, std::move(surfaces), sides, pattern, std::move(law), friction,
-                                           options);
+  return std::make_unique<PairFriction<D>>(mesh, std::move(surfaces), pattern, std::move(law), friction, options);
 }
 
-template std::unique_ptr<Interaction> make_pair_friction(const LocalMesh&, PairSurfaces<2>,
-                                                         const std::vector<LocalSide>&, const Pattern&,
+template std::unique_ptr<Interaction> make_pair_friction(const LocalMesh&, PairSurfaces<2>, const Pattern&,
                                                          std::shared_ptr<const GapLaw>, const FrictionLaw&,
                                                          const PairOptions&);
-template std::unique_ptr<Interaction> make_pair_friction(const LocalMesh&, PairSurfaces<3>,
-                                                         const std::vector<LocalSide>&, const Pattern&,
+template std::unique_ptr<Interaction> make_pair_friction(const LocalMesh&, PairSurfaces<3>, const Pattern&,
                                                          std::shared_ptr<const GapLaw>, const FrictionLaw&,
                                                          const PairOptions&);
 

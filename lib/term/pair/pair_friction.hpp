@@ -16,8 +16,7 @@ namespace ixos {
 /// must be that of the step's start, the surfaces two that react. Its matrix entries go to nodes that the pair's own
 /// term couples. Mesh and pattern must outlive the term.
 template <std::size_t D>
-std::unique_ptr<Interaction> make_pair_friction(const LocalMesh& mesh, PairSurfaces<D> surfaces,
-                                                const std::vector<LocalSide>& sides, const Pattern& pattern,
+std::unique_ptr<Interaction> make_pair_friction(const LocalMesh& mesh, PairSurfaces<D> surfaces, const Pattern& pattern,
                                                 std::shared_ptr<const GapLaw> law, const FrictionLaw& friction,
                                                 const PairOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace ixos {
 template <std::size_t D>
@@ -10,21 +11,30 @@ PairGradient<D>::PairGradient(const PairPoints<D>& points) : points_(points) {
   const double equilibrium = law.equilibrium_gap();
   stiffness_ = 3 * std::abs(law.stiffness(equilibrium)[0]);
   if (stiffness_ == 0) stiffness_ = 3 * law.magnitude(equilibrium)[0] / equilibrium;
-  kinks_.assign(points.primary().nodes.size(), 0);
+  std::set<typename SurfacePatch<D>::Corner> kinks;
   for (const SurfacePatch<D>& patch : points.primary().patches)
     for (std::size_t side = 0; side < patch.smooth.size(); ++side)
       for (std::size_t corner = 0; corner < corners && !patch.smooth[side]; ++corner)
-        if (at_end(corner, side / 2) == (side % 2 == 1)) kinks_[static_cast<std::size_t>(patch.nodes[corner])] = 1;
+        if (at_end(corner, side / 2) == (side % 2 == 1)) kinks.insert(patch.corner(corner));
+  // Across the sides within a triangle the tangents turn, and b_j is not the same on both.
+  for (const SurfacePatch<D>& patch : points.primary().patches)
+    for (const auto& corner : patch.split_corners)
+      if (corner.size() == 3) kinks.insert(corner);
+  for (const SurfacePatch<D>& patch : points.primary().patches) {
+    kinks_.emplace_back();
+    for (std::size_t corner = 0; corner < corners; ++corner)
+      kinks_.back()[corner] = kinks.count(patch.corner(corner)) > 0;
+  }
 }
 
 /// Between the corners, 0 or 1, f is bilinear, so that it is the same on both sides of an edge; a bubble lifts it
 /// inside.
 template <std::size_t D>
-void PairGradient<D>::fade(const SurfacePatch<D>& patch, const PatchParameters<D>& xi, Point& point) const {
+void PairGradient<D>::fade(std::size_t patch, const PatchParameters<D>& xi, Point& point) const {
   double rest = 0, bubble = 1;  // 1 - f on the edges
   PatchParameters<D> rest_slopes{}, bubble_slopes{};
   for (std::size_t corner = 0; corner < corners; ++corner) {
-    if (kinks_[static_cast<std::size_t>(patch.nodes[corner])] == 0) continue;
+    if (!kinks_[patch][corner]) continue;
     double share = 1;
     for (std::size_t k = 0; k + 1 < D; ++k) share *= at_end(corner, k) ? xi[k] : 1 - xi[k];
     rest += share;
@@ -100,7 +110,8 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
   const SurfacePatch<D>& own = points_.secondary().patches[mean.patch];
   double sum = 0;
   point.size = 0;
-  for (std::size_t k = 0; k < corners; ++k) {
+  point.corner.resize(own.side_corners);
+  for (std::size_t k = 0; k < own.side_corners; ++k) {
     const auto node = static_cast<std::size_t>(own.nodes[k]);
     const Vec<D>& before = step.start.places.secondary[node];
     Corner& corner = point.corner[k];
@@ -112,7 +123,7 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
   }
   point.v = point.a * point.a + sum / point.size;
   point.along.clear();
-  fade(patch, mean.projection.xi, point);
+  fade(static_cast<std::size_t>(mean.projection.patch), mean.projection.xi, point);
   for (std::size_t j = 0; j + 1 < D; ++j) {
     if (mean.projection.fixed[j]) continue;
     const Vec<D>& t = mean.projection.frame.tangents[j];
@@ -162,7 +173,7 @@ double PairGradient<D>::add_force(const Segment& segment, double* f) const {
     };
     const Vec<D> own = point.force();
     Vec<D> all = own;
-    for (std::size_t k = 0; k < corners; ++k) {
+    for (std::size_t k = 0; k < point.corner.size(); ++k) {
       add(k, point.force(k));
       all = all + point.force(k);
     }

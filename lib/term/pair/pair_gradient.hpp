@@ -14,7 +14,7 @@ namespace ixos {
 /// m), and what lacks of the work, e = psi(g1) - psi(g0) + T a, is done by forces of three kinds,
 ///
 ///   c a m                    on S, along the normal,
-///   c w_k/R^2 (z_k - y)      between y and the corners z_k of the point's own side,
+///   c w_k/R^2 (z_k - y)      between y and the corners z_k of the point's own side, three of a triangle,
 ///   c b_j (t_j S + r N_,j)   along the closest point's tangents t_j = N_,j x, which turns them, too,
 ///
 ///   w_k = (z_k - y) . (dz_k - dy),   b_j = f (t_j . d + r . dt_j)/(t_j . t_j),   c = e/v,
@@ -22,10 +22,11 @@ namespace ixos {
 ///
 /// with R^2 = sum of |z_k - x|^2 at the start. Each kind is the derivative of a scalar product of vectors between nodes
 /// at the mean places, so the force does the change of the energy as its work, and its net force and its net moment
-/// about the mean places vanish. f is 1, but falls to 0 at kinks and rims, so that the force is continuous where the
-/// closest point changes its patch. Where v < |e|/k, with k three times the law's stiffness at its equilibrium gap, c
-/// is 2 k sign(e) - k^2 v/e, and Gonzalez' (1996) vector (e - c v)/(d . d) S d does the rest of the work. Points do so
-/// that roll over a kink. Displacements below 1e-5 of the equilibrium gap take -T m alone.
+/// about the mean places vanish. f is 1, but falls to 0 at kinks and rims, and at the sides of the parts of a
+/// triangle, so that the force is continuous where the closest point changes its patch. Where v < |e|/k, with k three
+/// times the law's stiffness at its equilibrium gap, c is 2 k sign(e) - k^2 v/e, and Gonzalez' (1996) vector (e - c
+/// v)/(d . d) S d does the rest of the work. Points do so that roll over a kink. Displacements below 1e-5 of the
+/// equilibrium gap take -T m alone.
 template <std::size_t D>
 class PairGradient {
  public:
@@ -39,7 +40,7 @@ class PairGradient {
   void for_each_block(const Segment& segment, Tangent kind, const std::function<void(const PairBlock&)>& visit) const;
 
  private:
-  static constexpr std::size_t corners = D == 2 ? 2 : 4;  ///< of a patch, its first nodes
+  static constexpr std::size_t corners = SurfacePatch<D>::corners;
   /// Returns whether a parameter is 1 at a corner; the corners go around the patch.
   static bool at_end(std::size_t corner, std::size_t parameter) {
     return parameter == 0 ? corner == 1 || corner == 2 : corner >= 2;
@@ -68,7 +69,7 @@ class PairGradient {
   struct Point {
     const Contact *at_end, *at_mean;
     Vec<D> r, d;
-    std::array<Corner, corners> corner;
+    boost::container::static_vector<Corner, corners> corner;  ///< of the point's side, not of its patch
     boost::container::static_vector<Along, D - 1> along;
     double f;
     PatchParameters<D> f_slopes;  ///< by parameter
@@ -95,15 +96,17 @@ class PairGradient {
   /// Sets c and the rest of the work, from e and v.
   void share(double e, Point& point) const;
   /// Sets f and its derivatives at a place of a primary patch.
-  void fade(const SurfacePatch<D>& patch, const PatchParameters<D>& xi, Point& point) const;
+  void fade(std::size_t patch, const PatchParameters<D>& xi, Point& point) const;
   using Weights = boost::container::static_vector<double, PairGap<D>::most>;
   Weights weights_of(const Contact& contact) const;
   void set_block(const Step& step, const Point& point, PairBlock& block) const;
   void set_convex_block(const Point& point, PairBlock& block) const;
 
   const PairPoints<D>& points_;
-  double stiffness_;         ///< k
-  std::vector<char> kinks_;  ///< by node of the primary surface: whether a side with a kink or a rim ends there
+  double stiffness_;  ///< k
+  /// By patch of the primary surface and corner: whether f is 0 there: a side with a kink or a rim ends, or it is the
+  /// middle of a triangle.
+  std::vector<std::array<bool, corners>> kinks_;
   // Memory, so that Newton iterations need no new one.
   mutable std::vector<typename PairPoints<D>::Places> places_;
   mutable PairBlock block_;

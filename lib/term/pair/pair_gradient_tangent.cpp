@@ -106,7 +106,7 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
   }
   const Vec<D> t = point.force();
   Vec<D> on_projection = t;
-  for (std::size_t k = 0; k < corners; ++k) on_projection = on_projection + point.force(k);
+  for (std::size_t k = 0; k < point.corner.size(); ++k) on_projection = on_projection + point.force(k);
   const double square = inner(point.d, point.d);
   ByDof<D, Vec<D>> dt(columns), d_on_projection(columns);
   std::array<ByDof<D, Vec<D>>, corners> d_corner;
@@ -133,7 +133,7 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
     std::array<std::array<Vec<D>, 2>, corners> at_corner;
     std::array<double, corners> dw{};
     double dv = 2 * point.a * da;
-    for (std::size_t k = 0; k < corners; ++k) {
+    for (std::size_t k = 0; k < point.corner.size(); ++k) {
       at_corner[k] = change(node < count ? (node == k ? 1.0 : 0.0) : s[node]);
       const Corner& corner = point.corner[k];
       dw[k] = inner(corner.d, at_corner[k][0]) + inner(corner.r, at_corner[k][1]);
@@ -173,7 +173,7 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
       d_turn[j][c] = dcb * point.r + point.c * along.b * dr;
     }
     d_on_projection[c] = dt[c];
-    for (std::size_t k = 0; k < corners; ++k) {
+    for (std::size_t k = 0; k < point.corner.size(); ++k) {
       const Corner& corner = point.corner[k];
       d_corner[k][c] =
           1 / point.size * ((dc * corner.w + point.c * dw[k]) * corner.r + point.c * corner.w * at_corner[k][0]);
@@ -187,7 +187,7 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
       double* const row = block.k.data() + (D * node + i) * columns;
       for (std::size_t c = 0; c < columns; ++c) {
         double sum = s[node] * (node < count ? dt[c][i] : d_on_projection[c][i]);
-        if (node < corners) sum += d_corner[node][c][i];
+        if (node < point.corner.size()) sum += d_corner[node][c][i];
         if (node >= count)
           for (std::size_t k = 0; k < free.size(); ++k) {
             sum += shape.slopes[free[k]][node - count] * (d_turn[k][c][i] - on_projection[i] * dxi[k][c]);

@@ -12,7 +12,8 @@
 namespace ixos {
 namespace {
 
-/// Returns the factor at a place X with the parameters xi of a patch, whose corners' nodal factors count linearly.
+/// Returns the factor at a place X with the parameters xi of a patch, whose corners' nodal factors count linearly. At a
+/// corner that is no node it is their mean, as it is in the side.
 template <std::size_t D>
 double factor_at(const SurfaceFactor& factor, const Vec<D>& x, const PatchParameters<D>& xi,
                  const SurfacePatch<D>& patch, const std::vector<int>& nodes) {
@@ -24,7 +25,11 @@ double factor_at(const SurfaceFactor& factor, const Vec<D>& x, const PatchParame
   }
   if (factor.of_node.empty()) return value;
   const auto at = [&](std::size_t corner) {
-    return factor.of_node[static_cast<std::size_t>(nodes[static_cast<std::size_t>(patch.nodes[corner])])];
+    const auto at_corner = patch.corner(corner);
+    double sum = 0;
+    for (const int node : at_corner)
+      sum += factor.of_node[static_cast<std::size_t>(nodes[static_cast<std::size_t>(node)])];
+    return sum / static_cast<double>(at_corner.size());
   };
   if constexpr (D == 2)
     return value * ((1 - xi[0]) * at(0) + xi[0] * at(1));
@@ -35,12 +40,11 @@ double factor_at(const SurfaceFactor& factor, const Vec<D>& x, const PatchParame
 
 /// Returns the overlaps on which the law acts beyond its range, at the points of all patches.
 template <std::size_t D>
-PairOverlap<D> overlap_of(const GapLaw& law, const PairOptions& options) {
+PairOverlap<D> overlap_of(const GapLaw& law, const PairOptions& options, int along) {
   PairOverlap<D> result;
   if (law.domain() == GapDomain::Positive) return result;
   result.depth = options.depth;
-  for (const PatchPoint<D>& point : patch_points<D>(points_on_a_side(options.points)))
-    result.points.push_back(point.xi);
+  for (const PatchPoint<D>& point : patch_points<D>(along)) result.points.push_back(point.xi);
   return result;
 }
 
@@ -59,11 +63,11 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       range_(law_->range()),
       share_(options.share),
       reacts_(options.reacts),
-      overlap_(overlap_of<D>(*law_, options)),
+      overlap_(overlap_of<D>(*law_, options, surfaces_.secondary.points_along(options.points))),
       owns_secondary_(patches_with_own_nodes(surfaces_.secondary, mesh)),
       owns_primary_(patches_with_own_nodes(surfaces_.primary, mesh)),
       search_(surfaces_, law_->equilibrium_gap(), overlap_) {
-  const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(points_on_a_side(options.points));
+  const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(secondary().points_along(options.points));
   per_patch_ = on_a_patch.size();
   const std::vector<double> rest(coordinates_.size(), 0.0);
   const std::vector<Vec<D>> x = places(rest.data()).secondary;

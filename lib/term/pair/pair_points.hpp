@@ -129,6 +129,15 @@ class PairPoints {
   double area(const Contact& c) const { return points_[index(c)].area; }
   const typename SurfacePatch<D>::Weights& weights(const Contact& c) const { return points_[index(c)].weights; }
   bool counts(std::size_t patch) const { return secondary().owned[patch] != 0; }
+  /// Adds the sides of the secondary surface to those that count; calls visit(patch) for the patches of new ones.
+  template <class Visit>
+  void count(CountedSides& counted, const Visit& visit) const {
+    bool is_new = false;
+    for (std::size_t p = 0; p < secondary().patches.size(); ++p) {
+      if (secondary().part[p] == 0) is_new = counted.insert(secondary().sides[p]).second;
+      if (is_new) visit(p);
+    }
+  }
   const PairSurfaces<D>& surfaces() const { return surfaces_; }
   const SurfacePatches<D>& secondary() const { return surfaces_.secondary; }
   const SurfacePatches<D>& primary() const { return surfaces_.primary; }

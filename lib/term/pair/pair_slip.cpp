@@ -58,12 +58,12 @@ bool meet(const SurfacePatch<3>& a, const SurfacePatch<3>& b) {
 }  // namespace
 
 template <std::size_t D>
-PairSlip<D>::PairSlip(const LocalMesh& mesh, PairSurfaces<D> surfaces, const std::vector<LocalSide>& sides,
-                      std::shared_ptr<const GapLaw> law, const FrictionLaw& friction, const PairOptions& options)
+PairSlip<D>::PairSlip(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::shared_ptr<const GapLaw> law,
+                      const FrictionLaw& friction, const PairOptions& options)
     : friction_(friction),
       range_(reach(friction.friction(), friction.cutoff(), law->range())),
       points_(mesh, std::move(surfaces), std::move(law), options),
-      nothing_(mesh, sides, points_.points_of_a_patch(), D + 3) {}
+      nothing_(mesh, points_.secondary().sides_of_patches(), points_.points_of_a_patch(), D + 3) {}
 
 template <std::size_t D>
 TermHistory PairSlip<D>::history() const {

@@ -47,9 +47,9 @@ class PairSlip {
     double creep_length = 0;  ///< length up to which smoothed friction grows, see SmoothedSlip
   };
 
-  /// `sides`: those of the secondary surface, in its order. The law must be that of the friction's threshold.
-  PairSlip(const LocalMesh& mesh, PairSurfaces<D> surfaces, const std::vector<LocalSide>& sides,
-           std::shared_ptr<const GapLaw> law, const FrictionLaw& friction, const PairOptions& options);
+  /// The law must be that of the friction's threshold.
+  PairSlip(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::shared_ptr<const GapLaw> law,
+           const FrictionLaw& friction, const PairOptions& options);
 
   const FrictionLaw& friction() const { return friction_; }
   const PairPoints<D>& points() const { return points_; }

@@ -24,7 +24,6 @@ using VisibleLists = std::vector<std::vector<int>>;
 template <std::size_t D>
 class PairTerm final : public Interaction, public Admissibility, public Coupling, public SurfaceReport {
  public:
-  static constexpr std::size_t corners = D == 2 ? 2 : 4;  ///< of a patch
   using Share = typename PairPoints<D>::Share;
   using Places = typename PairPoints<D>::Places;
   using Contact = typename PairPoints<D>::Contact;
@@ -229,13 +228,12 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   }
 
   void add_nodal_measure(CountedSides& counted, double* measure) const override {
-    for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s) {
-      if (!counted.insert(points_.secondary().sides[s]).second) continue;
+    points_.count(counted, [&](std::size_t patch) {
       for (std::size_t q = 0; q < points_.points_of_a_patch(); ++q) {
-        const Contact contact{s, q, 0};
+        const Contact contact{patch, q, 0};
         add_weighted(contact, points_.area(contact), measure);
       }
-    }
+    });
   }
 
   bool has(SurfaceNumber number) const override { return number == SurfaceNumber::Pressure; }
@@ -364,8 +362,10 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
     std::vector<SurfaceProjection<D>> projections(
         x.secondary.size());  // the nearest of those that the patches at a corner see
     for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
-      for (std::size_t c = 0; c < corners; ++c) {
-        const auto node = static_cast<std::size_t>(points_.secondary().patches[p].nodes[c]);
+      for (std::size_t c = 0; c < SurfacePatch<D>::corners; ++c) {
+        const auto corner = points_.secondary().patches[p].corner(c);
+        if (corner.size() > 1) continue;  // no node
+        const auto node = static_cast<std::size_t>(corner.front());
         const SurfaceProjection<D> projection = points_.nearest_seen(primary, p, x.secondary[node]);
         if (projection.patch >= 0 && projection.gap < projections[node].gap) projections[node] = projection;
       }

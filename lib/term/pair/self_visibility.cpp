@@ -33,12 +33,12 @@ SelfVisibility<D>::SelfVisibility(const std::vector<SurfacePatch<D>>& patches, c
 /// Goes from middle to middle of patches that share a corner, the shortest way first (Dijkstra 1959).
 template <std::size_t D>
 void SelfVisibility<D>::exclude(const std::vector<Vec<D>>& middles, double exclusion) {
-  constexpr std::size_t corners = D == 2 ? 2 : 4;
+  constexpr std::size_t corners = SurfacePatch<D>::corners;
   using Entry = std::pair<double, int>;
   const auto at = [](int number) { return static_cast<std::size_t>(number); };
-  std::map<int, std::vector<int>> patches_of;  // by corner
+  std::map<typename SurfacePatch<D>::Corner, std::vector<int>> patches_of;
   for (std::size_t p = 0; p < patches_.size(); ++p)
-    for (std::size_t c = 0; c < corners; ++c) patches_of[patches_[p].nodes[c]].push_back(static_cast<int>(p));
+    for (std::size_t c = 0; c < corners; ++c) patches_of[patches_[p].corner(c)].push_back(static_cast<int>(p));
   std::vector<double> distance(patches_.size(), HUGE_VAL);
   for (std::size_t start = 0; start < patches_.size(); ++start) {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
@@ -50,7 +50,7 @@ void SelfVisibility<D>::exclude(const std::vector<Vec<D>>& middles, double exclu
       next.pop();
       if (far > distance[at(patch)]) continue;
       for (std::size_t c = 0; c < corners; ++c)
-        for (const int other : patches_of[patches_[at(patch)].nodes[c]]) {
+        for (const int other : patches_of[patches_[at(patch)].corner(c)]) {
           const double own = far + length(middles[at(other)] - middles[at(patch)]);
           if (own >= exclusion || own >= distance[at(other)]) continue;
           if (distance[at(other)] == HUGE_VAL) reached.push_back(other);

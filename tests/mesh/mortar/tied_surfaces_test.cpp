@@ -36,6 +36,27 @@ std::map<int, double> shares(const Mesh& mesh, const std::string& set, bool axis
   return result;
 }
 
+/// Ties the boxes and expects that a constant stress on the joint is that on both sides.
+void expect_constant_stress(Mesh mesh, const std::string& what) {
+  SCOPED_TRACE(what);
+  const std::vector<double> before = mesh.coordinates;
+  tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
+  std::map<int, double> passed;
+  const std::map<int, double> secondary = shares(mesh, "upper_bottom", mesh.axisymmetric);
+  ASSERT_EQ(mesh.ties.size(), secondary.size());
+  for (const Tie& tie : mesh.ties) {
+    double sum = 0;
+    for (std::size_t k = 0; k < tie.masters.size(); ++k) {
+      sum += tie.weights[k];
+      passed[tie.masters[k]] += tie.weights[k] * secondary.at(tie.node);
+    }
+    EXPECT_NEAR(sum, 1, 1e-15);
+  }
+  for (const auto& [node, share] : shares(mesh, "lower_top", mesh.axisymmetric))
+    EXPECT_NEAR(passed[node], share, 1e-11);
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(mesh.coordinates[i], before[i], 1e-12);
+}
+
 TEST(TiedSurfacesTest, ConstantStressComesBackAsItShould) {
   for (const int dimension : {2, 3})
     for (const int order : {1, 2})
@@ -43,48 +64,51 @@ TEST(TiedSurfacesTest, ConstantStressComesBackAsItShould) {
         if (axisymmetric && dimension == 3) continue;
         Mesh mesh = test::stacked_boxes(dimension, order);
         mesh.axisymmetric = axisymmetric;
-        const std::vector<double> before = mesh.coordinates;
-        tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
-        std::map<int, double> passed;
-        const std::map<int, double> secondary = shares(mesh, "upper_bottom", axisymmetric);
-        ASSERT_EQ(mesh.ties.size(), secondary.size());
-        for (const Tie& tie : mesh.ties) {
-          double sum = 0;
-          for (std::size_t k = 0; k < tie.masters.size(); ++k) {
-            sum += tie.weights[k];
-            passed[tie.masters[k]] += tie.weights[k] * secondary.at(tie.node);
-          }
-          EXPECT_NEAR(sum, 1, 1e-15);
-        }
-        for (const auto& [node, share] : shares(mesh, "lower_top", axisymmetric))
-          EXPECT_NEAR(passed[node], share, 1e-11) << dimension << "D, order " << order;
-        for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(mesh.coordinates[i], before[i], 1e-12);
+        expect_constant_stress(mesh, std::to_string(dimension) + "D, order " + std::to_string(order));
       }
+}
+
+TEST(TiedSurfacesTest, ConstantStressPassesBetweenTriangles) {
+  for (const test::StackedCells& cells : test::stacked_triangles())
+    expect_constant_stress(test::stacked_boxes(cells),
+                           cells.lower + " below " + cells.upper + ", order " + std::to_string(cells.order));
+}
+
+TEST(TiedSurfacesTest, TrianglesOfSixNodesCannotFollow) {
+  Mesh mesh = test::stacked_boxes(test::StackedCells{"tetrahedra", "tetrahedra", 2});
+  test::expect_contains(test::refusal([&] { tie_surfaces(mesh, "upper_bottom", "lower_top", 0); }),
+                        "triangles of six nodes");
+}
+
+/// Ties the boxes and expects that nodes of their rims follow nodes of the same rims alone, and corners corners.
+void expect_rims_to_follow_rims(Mesh mesh) {
+  const int dimension = mesh.dimension;
+  tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
+  int corners = 0;
+  for (const Tie& tie : mesh.ties) {
+    int sides = 0;
+    for (int i = 0; i + 1 < dimension; ++i)
+      for (const double end : {0.0, 3.0}) {
+        const auto at = [&](int node) {
+          return std::abs(mesh.coordinates[static_cast<std::size_t>(node * dimension + i)] - end) < 1e-9;
+        };
+        if (!at(tie.node)) continue;
+        ++sides;
+        for (const int master : tie.masters) EXPECT_TRUE(at(master));
+      }
+    if (sides + 1 < dimension) continue;
+    ++corners;
+    EXPECT_EQ(tie.weights, std::vector<double>{1.0});
+  }
+  EXPECT_EQ(corners, 1 << (dimension - 1));
 }
 
 TEST(TiedSurfacesTest, BoundariesFollowBoundariesAndCornersCorners) {
   for (const int dimension : {2, 3})
-    for (const int order : {1, 2}) {
-      Mesh mesh = test::stacked_boxes(dimension, order);
-      tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
-      int corners = 0;
-      for (const Tie& tie : mesh.ties) {
-        int sides = 0;
-        for (int i = 0; i + 1 < dimension; ++i)
-          for (const double end : {0.0, 3.0}) {
-            const auto at = [&](int node) {
-              return std::abs(mesh.coordinates[static_cast<std::size_t>(node * dimension + i)] - end) < 1e-9;
-            };
-            if (!at(tie.node)) continue;
-            ++sides;
-            for (const int master : tie.masters) EXPECT_TRUE(at(master));
-          }
-        if (sides + 1 < dimension) continue;
-        ++corners;
-        EXPECT_EQ(tie.weights, std::vector<double>{1.0});
-      }
-      EXPECT_EQ(corners, 1 << (dimension - 1));
-    }
+    for (const int order : {1, 2}) expect_rims_to_follow_rims(test::stacked_boxes(dimension, order));
+  // A triangle in a corner may have no node inside.
+  for (const test::StackedCells& cells : test::stacked_triangles())
+    expect_rims_to_follow_rims(test::stacked_boxes(cells));
 }
 
 /// Two blocks, one upon the other: the upper one is `width` wide and at height `gap` above the lower one of width 4.

@@ -10,6 +10,7 @@
 #include "support/comparison.hpp"
 #include "support/pair_checks.hpp"
 #include "support/reports.hpp"
+#include "support/simplices.hpp"
 #include "support/tangents.hpp"
 #include "term/pair/dense_pairs.hpp"
 
@@ -37,6 +38,9 @@ std::vector<Bodies> cases() {
   all.emplace_back(enriched, "upper_bottom", "lower_top");
   raise_order(quadratic);
   all.emplace_back(quadratic, "upper_bottom", "lower_top", Smoothing::None);
+  const Mesh boxes = test::two_boxes(0.3);
+  all.emplace_back(test::split_cells(boxes, "tetrahedra"), "upper_bottom", "lower_top");
+  all.emplace_back(test::split_cells(boxes, "hexahedra and prisms"), "upper_bottom", "lower_top", Smoothing::None);
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "support/pair_of_bodies.hpp"
+#include "support/simplices.hpp"
 #include "support/tangents.hpp"
 #include "term/pair/pair_points.hpp"
 
@@ -35,6 +36,11 @@ std::vector<Bodies> cases() {
     all.emplace_back(test::two_blocks(0.3), "lower_surface", "upper_surface", smoothing);
     all.emplace_back(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", smoothing);
     all.emplace_back(test::two_boxes(0.3), "upper_bottom", "lower_top", smoothing, 1.0);
+    if (smoothing == Smoothing::Spline) continue;
+    all.emplace_back(test::split_cells(test::two_balls(2, {2.4, 2, 2.9}), "twelve tetrahedra"), "a_surface",
+                     "b_surface", smoothing);
+    all.emplace_back(test::split_cells(test::two_boxes(0.3), "hexahedra and prisms"), "upper_bottom", "lower_top",
+                     smoothing, 1.0);
   }
   return all;
 }
@@ -95,6 +101,33 @@ TEST(PairGradientTest, ItsTangentIsItsDerivative) {
     for (std::size_t k = 0; k < product.size(); ++k)
       EXPECT_NEAR((up[k] - down[k]) / (2 * h), product[k], 1e-5 * largest);
   }
+}
+
+/// As the upper body slides, closest points cross the sides within triangles and those between them. The force does not
+/// jump: its largest change falls with the way.
+TEST(PairGradientTest, ItGoesOnAcrossThePartsOfTriangles) {
+  const Bodies bodies(test::split_cells(test::two_boxes(0.3), "tetrahedra"), "upper_bottom", "lower_top",
+                      Smoothing::CatmullRom, 1.0);
+  const LocalMesh& mesh = bodies.model->mesh();
+  const auto largest_change = [&](double step, int steps) {
+    std::vector<double> before;
+    double largest = 0;
+    for (int k = 0; k <= steps; ++k) {
+      std::vector<double> to = bodies.to;
+      for (std::size_t i = 0; i < to.size(); i += 3)
+        if (mesh.coordinates[i + 2] > 0.1) {
+          to[i] += 2 * (0.15 + k * step);  // twice, because the closest points are those of the mean places
+          to[i + 1] += k * step;
+        }
+      const std::vector<double> f = bodies.force(to);
+      for (std::size_t i = 0; i < before.size(); ++i) largest = std::max(largest, std::abs(f[i] - before[i]));
+      before = f;
+    }
+    return bodies.model->space().maximum(largest);
+  };
+  const double coarse = largest_change(0.002, 50), fine = largest_change(0.0002, 500);
+  EXPECT_LT(fine, coarse / 5);
+  EXPECT_GT(coarse, 1e-4);
 }
 
 /// The secondary disk rolls about the closest point of one of its points, which keeps its distance from the closest
