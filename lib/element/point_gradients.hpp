@@ -7,7 +7,10 @@
 
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
+#include "element/simplex_gradients.hpp"
 #include "element/tensor_gradients.hpp"
+#include "fem/cells/tetrahedra.hpp"
+#include "fem/cells/triangles.hpp"
 #include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
 #include "fem/shape_table.hpp"
@@ -98,6 +101,36 @@ template <>
 struct PointGradients<Quad9> : QuadraticPointGradients<Quad9> {};
 template <>
 struct PointGradients<Hex27> : QuadraticPointGradients<Hex27> {};
+
+/// Quadratic triangles and tetrahedra: QuadraticSimplexGradients if they serve the table and no values are asked for.
+template <class Element>
+struct SimplexPointGradients {
+  static constexpr std::size_t D = Element::dimension;
+  static constexpr std::size_t N = Element::nodes;
+  using Quadratic = QuadraticSimplexGradients<Element>;
+
+  template <bool WithValues, class T>
+  static void evaluate(const ShapeTable<Element>& table, const Small<T, N, D>& u, Small<T, D>* gradients,
+                       std::array<T, D>* values) {
+    if constexpr (!WithValues)
+      if (const typename Quadratic::Points points(table); points.serves)
+        return Quadratic::evaluate(points, u, gradients);
+    TabulatedGradients<Element>::template evaluate<WithValues>(table, u, gradients, values);
+  }
+
+  template <bool WithValues, class T>
+  static void integrate(const ShapeTable<Element>& table, const Small<T, D>* stresses, const std::array<T, D>* values,
+                        Small<T, N, D>& f) {
+    if constexpr (!WithValues)
+      if (const typename Quadratic::Points points(table); points.serves)
+        return Quadratic::integrate(points, stresses, f);
+    TabulatedGradients<Element>::template integrate<WithValues>(table, stresses, values, f);
+  }
+};
+template <>
+struct PointGradients<Tri6> : SimplexPointGradients<Tri6> {};
+template <>
+struct PointGradients<Tet10> : SimplexPointGradients<Tet10> {};
 
 /// The trilinear hexahedron on 2 x 2 x 2 points by sum factorisation: 24 additions turn nodal values into coefficients
 /// of 1, xi, eta, zeta, xi eta, ..., and each derivative is bilinear in the two other directions. This takes a third of

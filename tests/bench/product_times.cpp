@@ -1,8 +1,8 @@
-// W x of a distorted block's tangent with mass, as a matrix, matrix-free in double and in single precision, matrix-free
-// with stiffness damping and with four points in time, in turns, and the exchange of ghosts alone, which is in all of
-// them: what overlap with work could hide at most; on as many ranks as it is started on: product_times [divisions]
-// [rounds] [cells...]. Least and median time, degrees of freedom in the least time, and how many times faster than the
-// matrix. `cells`: of block_cells.hpp, Hex8 and Hex27 if none are named.
+// W x of a distorted block's tangent with mass, as a matrix, matrix-free in double and in single precision, without
+// mass, with stiffness damping and with four points in time, in turns, and the exchange of ghosts alone, which is in
+// all of them: what overlap with work could hide at most; on as many ranks as it is started on: product_times
+// [divisions] [rounds] [cells...]. Least and median time, degrees of freedom in the least time, and how many times
+// faster than the matrix. `cells`: of block_cells.hpp, Hex8 and Hex27 if none are named.
 #include <fmt/format.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -26,19 +26,11 @@
 
 namespace {
 
-/// `divisions`: steps from node to node along each edge.
-ixos::Mesh distorted_block(int divisions, const ixos::test::BlockCells& cells) {
-  ixos::Mesh mesh = ixos::test::block_of(cells, divisions, 10);
-  const double distortion = (cells.order == 1 ? 1.5 : 0.5) / divisions;
-  for (std::size_t i = 0; i < mesh.coordinates.size(); ++i)
-    mesh.coordinates[i] += distortion * std::sin(1.7 * static_cast<double>(i));
-  return mesh;
-}
-
 /// The tangent at the end of a step to a small deformation; the model keeps what it was taken of.
 class Product {
  public:
-  Product(const ixos::Comm& comm, const ixos::Mesh& mesh, double damping, const ixos::Rule& rule = ixos::end_rule())
+  Product(const ixos::Comm& comm, const ixos::Mesh& mesh, double damping, const ixos::Rule& rule = ixos::end_rule(),
+          double mass = 4)
       : rule_(rule),
         model_(ixos::localize(mesh, ixos::partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()),
                comm, {{"body", ixos::neo_hooke(ixos::lame_constants(1, 0.3)), 1.0, 0, damping}}),
@@ -56,7 +48,7 @@ class Product {
     ixos::BalancePoint point;
     point.elastic = point.interaction = step();
     point.elastic_rule = point.interaction_rule = &rule_;
-    tangent_.linearize(point, {4.0, 2.0, 1.0}, ixos::Tangent::Exact, 1.0);
+    tangent_.linearize(point, {mass, 2.0, 1.0}, ixos::Tangent::Exact, 1.0);
   }
   const ixos::TangentOperator& tangent() const { return tangent_; }
   const ixos::DofSpace& space() const { return model_.space(); }
@@ -71,8 +63,9 @@ class Product {
 };
 
 void measure(const ixos::Comm& comm, int divisions, int rounds, const ixos::test::BlockCells& cells) {
-  const ixos::Mesh mesh = distorted_block(divisions, cells);
-  const Product plain(comm, mesh, 0), damped(comm, mesh, 0.01), mean(comm, mesh, 0, ixos::gauss_rule(4));
+  const ixos::Mesh mesh = ixos::test::block_of(cells, divisions, 10, 1.5 / divisions);
+  const Product plain(comm, mesh, 0), damped(comm, mesh, 0.01), mean(comm, mesh, 0, ixos::gauss_rule(4)),
+      at_rest(comm, mesh, 0, ixos::end_rule(), 0);
   const Teuchos::RCP<ixos::CrsMatrix> matrix = plain.tangent().matrix();
   ixos::Vector in(matrix->getDomainMap()), out(matrix->getRangeMap());
   in.randomize();
@@ -86,8 +79,9 @@ void measure(const ixos::Comm& comm, int divisions, int rounds, const ixos::test
     const ixos::SingleProducts precision(plain.tangent());
     plain.tangent().apply(in, out);
   };
-  std::array<Way, 6> ways{{{"matrix", [&] { matrix->apply(in, out); }, {}},
+  std::array<Way, 7> ways{{{"matrix", [&] { matrix->apply(in, out); }, {}},
                            {"matrix-free", [&] { plain.tangent().apply(in, out); }, {}},
+                           {"matrix-free, without mass", [&] { at_rest.tangent().apply(in, out); }, {}},
                            {"matrix-free, single precision", single, {}},
                            {"matrix-free, stiffness damping", [&] { damped.tangent().apply(in, out); }, {}},
                            {"matrix-free, four points in time", [&] { mean.tangent().apply(in, out); }, {}},

@@ -1,7 +1,7 @@
-// Measures a residual, an assembled tangent, W x as a matrix and matrix-free, and an iteration of CG with a
-// preconditioner of MueLu, for each unknown of a block with hanging nodes, of two tied blocks, and of a block without
-// ties, in turns: tie_times [divisions in 3D] [rounds]. The ratio is that of the least times for each unknown to those
-// of the block without ties.
+// Measures, for each unknown of a block with hanging nodes, of two tied blocks, and of a block without ties, in turns:
+// a residual, an assembled tangent, W x as a matrix and matrix-free, an iteration of CG with a preconditioner of MueLu,
+// and a Newton iteration (residual, tangent, hierarchy, CG to 1e-3). tie_times [divisions in 3D] [rounds]. The ratio is
+// that of the least times for each unknown to those of the block without ties.
 #include <fmt/format.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -32,8 +32,9 @@
 
 namespace {
 
-constexpr std::array<const char*, 5> works{"residual", "assembled tangent", "product, matrix", "product, matrix-free",
-                                           "CG iteration, MueLu"};
+constexpr std::array<const char*, 6> works{
+    "residual",        "assembled tangent", "product, matrix", "product, matrix-free", "CG iteration, MueLu",
+    "Newton iteration"};
 
 ixos::BoxShape block(int dimension, int divisions) {
   ixos::BoxShape shape;
@@ -90,24 +91,26 @@ class Body {
     const ixos::LinearSolverFactory factory(ixos::completed_linear_solver(list, ixos::problem_size(model_)), &model_);
     space_ = ixos::vector_space(model_.space().owned_map());
     preconditioner_ = factory.preconditioner();
-    preconditioner_->compute(ixos::const_linear_op(Teuchos::RCP<const ixos::Operator>(matrix_), space_));
+    compute_preconditioner();
     least_.fill(std::numeric_limits<double>::infinity());
   }
 
   void work(std::size_t which) {
     const auto start = std::chrono::steady_clock::now();
-    if (which == 0) {
+    const bool all = which == 5;  // but for products of its own
+    if (which == 0 || all) {
       balance_.evaluate(point());
       balance_.sum(point(), nullptr, force_.data());
     }
-    if (which == 1) {
+    if (which == 1 || all) {
       const auto values = matrix_->getLocalMatrixHost().values;
       std::fill_n(values.data(), values.extent(0), 0.0);
       assemble(values.data());
     }
+    if (all) compute_preconditioner();
     if (which == 2) matrix_->apply(*in_, *out_);
     if (which == 3) tangent_.apply(*in_, *out_);
-    if (which == 4)
+    if (which == 4 || all)
       iterations_ = ixos::test::conjugate_gradients(*matrix_, *preconditioner_->getUnspecifiedPrecOp(), space_, *in_,
                                                     1e-3, *out_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -120,6 +123,9 @@ class Body {
   int iterations() const { return iterations_; }  ///< of CG
 
  private:
+  void compute_preconditioner() {
+    preconditioner_->compute(ixos::const_linear_op(Teuchos::RCP<const ixos::Operator>(matrix_), space_));
+  }
   ixos::BalancePoint point() const {
     const ixos::Segment here{nullptr, nullptr, u_.data()};
     ixos::BalancePoint at;

@@ -18,9 +18,10 @@ struct Body : test::ElementNodes<Shape> {
   using Gradients = PointGradients<Shape>;
   using Nodal = Small<double, N, D>;
 
-  /// Tables of 1 to 4 points along each direction, and of other numbers that have as many points as 2 or 3 along each.
+  /// The element's own table, tables of 1 to 4 points along each direction, and of other numbers that have as many
+  /// points as 2 or 3 along each.
   static std::vector<ShapeTable<Shape>> tables() {
-    std::vector<ShapeTable<Shape>> all;
+    std::vector<ShapeTable<Shape>> all(1);
     for (int count : {1, 2, 3, 4}) {
       std::array<int, D> counts;
       counts.fill(count);
@@ -85,8 +86,8 @@ struct Body : test::ElementNodes<Shape> {
 
 template <class B>
 class PointGradientsTest : public testing::Test {};
-using Bodies =
-    testing::Types<Body<Quad4>, Body<Hex8>, Body<Quad4C3>, Body<Quad4CH>, Body<Hex8C2>, Body<Quad9>, Body<Hex27>>;
+using Bodies = testing::Types<Body<Quad4>, Body<Hex8>, Body<Quad4C3>, Body<Quad4CH>, Body<Hex8C2>, Body<Quad9>,
+                              Body<Hex27>, Body<Tri6>, Body<Tet10>>;
 TYPED_TEST_SUITE(PointGradientsTest, Bodies);
 
 TYPED_TEST(PointGradientsTest, AreThoseOfTheInterpolatedField) {

@@ -70,7 +70,7 @@ HEXAHEDRON = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 
 SOLIDS = {"structured hexahedra": (HEXAHEDRON, 1, 0), "structured tetrahedra": (TETRAHEDRON, 1, 1),
           "gmsh's tetrahedra": (TETRAHEDRON, 0, 1)}
 BAR = "meshes/bar.xml"
-BARS = (("structured hexahedra", 1, MEAN), ("structured hexahedra", 2, STANDARD), ("structured hexahedra", 2, MEAN),
+BARS = (("structured hexahedra", 2, STANDARD), ("structured hexahedra", 2, MEAN),
         ("structured tetrahedra", 2, STANDARD), ("structured tetrahedra", 2, MEAN),
         ("gmsh's tetrahedra", 2, STANDARD), ("gmsh's tetrahedra", 2, MEAN))
 
@@ -78,7 +78,7 @@ BARS = (("structured hexahedra", 1, MEAN), ("structured hexahedra", 2, STANDARD)
 def measure_bar(context):
     """Twists the bar by a quarter of a turn in ten steps with each kind of cells at each ratio."""
     rows = []
-    for mesh, order, formulation in context.pick(BARS, BARS[3:4]):
+    for mesh, order, formulation in context.pick(BARS, BARS[2:3]):
         sides, structured, tetrahedra = SOLIDS[mesh]
         divisions = context.pick(8, 2) // order
         row = {"mesh": mesh, "cells": f"{'linear' if order == 1 else 'quadratic'}, {formulation}"}
