@@ -1,5 +1,6 @@
 /// A smooth surface through the nodes of linear faces, three- and four-sided: where the middles of their edges are.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>

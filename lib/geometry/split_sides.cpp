@@ -183,6 +183,7 @@ SplitSides split_sides(const LocalMesh& mesh, const std::vector<LocalSide>& side
   std::optional<EdgeMiddles> middles;
   if (smooth && sides.front().nodes.size() <= 4) {
     std::vector<EdgeMiddles::Face> faces;
+    faces.reserve(all.size());
     for (const std::vector<int>& own : all) faces.emplace_back(own.begin(), own.end());
     middles.emplace(std::move(faces), result.x);
   }
