@@ -141,10 +141,10 @@ class Script {
   }
 
  private:
-  /// Returns whether a word may do something.
-  static bool is_command(std::string_view word) {
+  /// Returns whether a word before that token may do something.
+  static bool is_command(std::string_view word, std::string_view following) {
     return is_one_of(starting, word) || is_one_of(writing, word) || is_one_of(naming, word) ||
-           is_one_of(printing, word) || is_one_of(options, word);
+           is_one_of(printing, word) || (is_one_of(options, word) && following == ".");
   }
 
   /// If the script branches, all its commands must stand outside of texts and comments.
@@ -157,7 +157,7 @@ class Script {
     for (std::string_view next; !token.empty(); token = next) {
       next = tokens.next();
       branches = branches || is_one_of(branching, token);
-      if (is_command(token) && (!is_one_of(options, token) || next == ".")) ++hidden[token];
+      if (is_command(token, next)) ++hidden[token];
     }
     for (const auto& [word, count] : hidden)
       if (branches && count > seen_[std::string(word)])
@@ -171,7 +171,7 @@ class Script {
     if (is_one_of(writing, token)) refuse(fmt::format("\"{}\" writes a file", token));
     if (token.front() == '"' || token.front() == '\'') scan_.add(file_of(token), false);
     const std::string_view following = tokens_.next();
-    if (is_command(token) && (!is_one_of(options, token) || following == ".")) ++seen_[std::string(token)];
+    if (is_command(token, following)) ++seen_[std::string(token)];
     if (is_one_of(options, token)) return option(token, following);
     if (is_one_of(naming, token)) return named(token, following);
     if (is_one_of(printing, token)) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "io/file_cells.hpp"
 #include "io/mesh_file.hpp"
 #include "io/msh_file.hpp"
+#include "mesh/bounds.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/normalize.hpp"
 #include "mesh/turned_cells.hpp"
@@ -218,13 +218,10 @@ DrawingOptions options_of(const SceneNode& node) {
 /// Throws InputError if a box of Size At does not meet the box around the nodes, and so has no effect.
 void refuse_boxes_outside(const SceneNode& node, const DrawingOptions& options, const Mesh& mesh) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
+  const Bounds bounds = bounds_of(mesh);
   for (const LocalSize& own : options.local)
     for (std::size_t i = 0; i < std::min(d, own.lower.size()); ++i) {
-      double low = HUGE_VAL, high = -HUGE_VAL;
-      for (std::size_t k = i; k < mesh.coordinates.size(); k += d) {
-        low = std::min(low, options.length_unit * mesh.coordinates[k]);
-        high = std::max(high, options.length_unit * mesh.coordinates[k]);
-      }
+      const double low = options.length_unit * bounds.lower[i], high = options.length_unit * bounds.upper[i];
       if (own.lower[i] > high || own.upper[i] < low)
         throw InputError(fmt::format(
             "{}/Size At/{}: the box from {:.6g} to {:.6g} L0 in direction {} lies beside the drawing, which is from "

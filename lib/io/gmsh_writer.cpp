@@ -13,6 +13,7 @@
 #include "fem/cell_info.hpp"
 #include "io/disk_file.hpp"
 #include "io/file_cells.hpp"
+#include "mesh/bounds.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/side_set_nodes.hpp"
@@ -142,14 +143,7 @@ class Writer {
 
   void write_entities() {
     line("$Entities\n{} {} {} {}", tags_[0], tags_[1], tags_[2], tags_[3]);
-    Vec<3> low = node_place(mesh_, 0), high = low;
-    for (int node = 1; node < mesh_.nodes(); ++node) {
-      const Vec<3> x = node_place(mesh_, node);
-      for (std::size_t i = 0; i < 3; ++i) {
-        low[i] = std::min(low[i], x[i]);
-        high[i] = std::max(high[i], x[i]);
-      }
-    }
+    const auto [low, high] = bounds_of(mesh_);
     for (int dimension = 0; dimension <= 3; ++dimension)
       for (const Group& group : groups_) {
         if (group.dimension != dimension) continue;

@@ -8,6 +8,7 @@
 
 #include "base/eigenpairs.hpp"
 #include "base/vector3.hpp"
+#include "mesh/bounds.hpp"
 
 namespace ixos {
 namespace {
@@ -39,16 +40,12 @@ struct Box {
 Box box_around(const std::vector<Point>& places) {
   Box box;
   if (places.empty()) return box;
-  Point lower = places.front(), upper = lower;
-  for (const Point& x : places)
-    for (std::size_t i = 0; i < 3; ++i) {
-      lower[i] = std::min(lower[i], x[i]);
-      upper[i] = std::max(upper[i], x[i]);
-    }
+  Bounds bounds;
+  for (const Point& x : places) bounds.add(x);
   double square = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    box.centre[i] = (lower[i] + upper[i]) / 2;
-    square += (upper[i] - lower[i]) * (upper[i] - lower[i]) / 4;
+    box.centre[i] = (bounds.lower[i] + bounds.upper[i]) / 2;
+    square += bounds.extent(i) * bounds.extent(i) / 4;
   }
   box.size = std::sqrt(square);
   return box;

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "mesh/bounds.hpp"
 #include "mesh/cell_sides.hpp"
 
 namespace ixos {
@@ -68,15 +69,9 @@ double place_tolerance(const Mesh& mesh) {
     ++number;
   }
   if (!std::isfinite(shortest)) return 0;
+  const Bounds bounds = bounds_of(mesh);
   double extent = 0;
-  for (std::size_t i = 0; i < d; ++i) {
-    double low = mesh.coordinates[i], high = low;
-    for (std::size_t k = i; k < mesh.coordinates.size(); k += d) {
-      low = std::min(low, mesh.coordinates[k]);
-      high = std::max(high, mesh.coordinates[k]);
-    }
-    extent = std::max(extent, high - low);
-  }
+  for (std::size_t i = 0; i < d; ++i) extent = std::max(extent, bounds.extent(i));
   return std::max(1e-3 * std::sqrt(shortest), 1e-9 * extent);
 }
 
@@ -131,13 +126,11 @@ double Inside::excess(const Side& side) const {
 }
 
 std::string Inside::span() const {
-  const auto d = static_cast<std::size_t>(mesh_.dimension);
-  Vector low(mesh_.coordinates.begin(), mesh_.coordinates.begin() + mesh_.dimension), high(low);
-  for (std::size_t k = 0; k < mesh_.coordinates.size(); ++k) {
-    low[k % d] = std::min(low[k % d], mesh_.coordinates[k]);
-    high[k % d] = std::max(high[k % d], mesh_.coordinates[k]);
-  }
-  return fmt::format("({}) to ({})", fmt::join(low, ", "), fmt::join(high, ", "));
+  const Bounds bounds = bounds_of(mesh_);
+  const auto text = [this](const Vec<3>& x) {
+    return fmt::format("({})", fmt::join(x.begin(), x.begin() + mesh_.dimension, ", "));
+  };
+  return fmt::format("{} to {}", text(bounds.lower), text(bounds.upper));
 }
 
 }  // namespace ixos

@@ -10,6 +10,7 @@
 #include "interaction/gap_law.hpp"
 #include "interaction/obstacle.hpp"
 #include "material/elastic_law.hpp"
+#include "mesh/bounds.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
@@ -21,18 +22,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Point = std::array<double, 3>;
-
-/// The box around points.
-struct Bounds {
-  Point lower{infinity, infinity, infinity}, upper{-infinity, -infinity, -infinity};
-  void add(const Point& x) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      lower[i] = std::min(lower[i], x[i]);
-      upper[i] = std::max(upper[i], x[i]);
-    }
-  }
-  double extent(std::size_t axis) const { return upper[axis] - lower[axis]; }
-};
 
 /// Calls visit(node) for the nodes of all cells of the block, of enriched ones for those of their plain_type(); returns
 /// whether there is one.
