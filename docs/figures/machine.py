@@ -44,6 +44,6 @@ def has_changes():
 
 
 def changed_since(old, code):
-    """Returns whether files below `code` differ between a commit and HEAD; None if git does not know the commit."""
-    status, _ = git("diff", "--quiet", old, "HEAD", "--", *code)
-    return {0: False, 1: True}.get(status)
+    """Returns how many files below `code` differ between a commit and HEAD; None if git does not know the commit."""
+    status, names = git("diff", "--name-only", old, "HEAD", "--", *code)
+    return len(names.splitlines()) if status == 0 else None

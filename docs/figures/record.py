@@ -12,7 +12,7 @@ from .table import ROOT
 
 FOLDER = ROOT / "docs/results/data"
 TRIAL = "a short trial"  # a state of a table
-USED = re.compile(r"(?<![\w/.-])(?:xml|tests|docs)/[\w/.-]+\.(?:xml|py|sh)\b")  # files in command lines
+USED = re.compile(r"(?<![\w/.-])(?:xml|meshes|tests|docs)/[\w/.-]+\.(?:xml|py|sh)\b")  # files in command lines
 
 
 def path_of(name):
@@ -91,4 +91,4 @@ def state(table, data):
     changed = machine.changed_since(data["commit"], code(table, data))
     if changed is None:
         return "unknown commit"
-    return "code changed since" if changed else ""
+    return f"code changed since: {changed} file{'s' if changed > 1 else ''}" if changed else ""

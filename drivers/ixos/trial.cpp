@@ -11,6 +11,7 @@
 #include "base/printable.hpp"
 #include "console.hpp"
 #include "ixos/scene_run.hpp"
+#include "scene/read/scene_units.hpp"
 
 namespace ixos {
 namespace {
@@ -50,20 +51,36 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} days", seconds / 86400);
 }
 
+/// Returns the number of steps of the whole run, that of fixed steps if it has stages.
+double planned_steps(const Simulation& simulation, const RunResult& result) {
+  const double begin = simulation.step_control().initial_time;
+  const Stages& stages = simulation.stages();
+  if (!stages.any())
+    return std::ceil((simulation.planned_end() - begin) / (result.end_time - begin) *
+                     static_cast<double>(result.steps));
+  const std::vector<double> ends = stages.planned_ends();
+  std::vector<double> begins;
+  double steps = 0, from = begin;
+  for (const double end : ends) {
+    const Teuchos::ParameterList scene = complete_scene(stages.scene(begins));
+    const double step = scene.sublist("Time Integrator").sublist("Time Step Control").get<double>("Time Step");
+    steps += std::ceil((end - from) / step - 1e-9);
+    begins.push_back(from = end);
+  }
+  return steps;
+}
+
 /// Returns what the steps say of the whole run.
 std::string forecast(const Simulation& simulation, const RunResult& result) {
-  const StepControlOptions& times = simulation.step_control();
-  const double advanced = result.end_time - times.initial_time;
-  const double whole = (simulation.planned_end() - times.initial_time) / advanced;
   const std::string steps =
-      fmt::format("{} steps to t = {:.6g} T0 took {}, after {} of set-up", result.steps, result.end_time,
-                  duration(result.wall_seconds), duration(simulation.setup_seconds()));
+      fmt::format("{} step{} to t = {:.6g} T0 took {}, after {} of set-up", result.steps, result.steps == 1 ? "" : "s",
+                  result.end_time, duration(result.wall_seconds), duration(simulation.setup_seconds()));
   if (result.status == RunStatus::Completed) return steps + ": that is the whole run.";
+  const double all = planned_steps(simulation, result);
   return fmt::format(
       "{}. At this rate the {:.0f} steps to t = {:.6g} T0 take {}. Steps take longer where a front moves or a "
       "body snaps.",
-      steps, std::ceil(whole * static_cast<double>(result.steps)), simulation.planned_end(),
-      duration(whole * result.wall_seconds));
+      steps, all, simulation.planned_end(), duration(all / static_cast<double>(result.steps) * result.wall_seconds));
 }
 
 }  // namespace

@@ -72,7 +72,9 @@ class Fields:
         """An element field: a value a cell."""
         values = self._file.at(name, frame)
         if values.shape != (len(self.cells),):
-            raise ResultsError(f"{self.path}: '{name}' is no field of one number a cell")
+            numbers = [own for own in self._file if self._file.at(own, frame).shape == (len(self.cells),)
+                       and not self._file.is_nodal(own)]
+            raise ResultsError(f"{self.path}: '{name}' is no field of one number a cell; it has {', '.join(numbers)}")
         return values * self._factor(units.field_quantity(name))
 
     def of_wholes(self, values):

@@ -121,9 +121,11 @@ class Run:
 
     @property
     def element(self):
-        """The contact element of the scene's first interaction; Q1C1 where it names none; None without any."""
-        has_one = find(self.scene, "Interactions/*") is not None
-        return self.setting("Interactions/*/Contact Element") or "Q1C1" if has_one else None
+        """The contact element of the scene's first interaction; None without any."""
+        if find(self.scene, "Interactions/*") is None:
+            return None
+        asked = self.setting("Interactions/*/Contact Element") or "Q1C1"
+        return "Q2C2" if asked == "Q1C1" and self.setting("Mesh/Cell Order") == "2" else asked  # their own side
 
     @property
     def damping(self):

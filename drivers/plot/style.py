@@ -138,19 +138,44 @@ class Output(typing.NamedTuple):
 output = Output(DPI)
 
 
+def has_room(figure):
+    """Lays a figure out. Returns whether its panels have room beside its text."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("error", ".*collapsed to zero.*", UserWarning)
+        try:
+            figure.draw_without_rendering()
+        except UserWarning:
+            return False
+    return True
+
+
+def whole_width(figure):
+    """The width of a figure that is laid out in inches, margins included."""
+    return figure.get_tightbbox(figure.canvas.get_renderer()).width + 2 * PAD
+
+
+def fits(figure, width):
+    """Gives the figure a width in inches, margins included. Returns whether it has room then."""
+    for _ in range(8):
+        if not has_room(figure):
+            return False
+        own, height = figure.get_size_inches()
+        figure.set_size_inches(max(own + width - whole_width(figure), 0.3 * width), height)
+    return True
+
+
 def fit_width(figure, width):
     """Gives the figure a width in inches, margins included. Text keeps its size."""
-    for _ in range(8):
-        with warnings.catch_warnings():
-            warnings.filterwarnings("error", ".*collapsed to zero.*", UserWarning)  # of panels without room
-            try:
-                figure.draw_without_rendering()  # lays it out
-            except UserWarning:
-                raise ResultsError(f"a width of {25.4 * width:.0f} mm is too narrow for this figure: its text keeps its "
-                                   "size; choose a larger one") from None
-        needed = figure.get_tightbbox(figure.canvas.get_renderer()).width + 2 * PAD
-        own, height = figure.get_size_inches()
-        figure.set_size_inches(max(own + width - needed, 0.3 * width), height)
+    size, step = figure.get_size_inches(), 5 / 25.4
+    if fits(figure, width):
+        return
+    least = width
+    while True:
+        least += step
+        figure.set_size_inches(size)
+        if fits(figure, least):
+            raise ResultsError(f"a width of {25.4 * width:.0f} mm is too narrow for this figure, whose text keeps its size; "
+                               f"choose at least {25.4 * least:.0f} mm")
 
 
 def write_lines(figure, target):

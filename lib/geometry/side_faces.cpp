@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "base/error.hpp"
@@ -138,8 +139,16 @@ std::array<std::array<int, 2>, 4> edges_of(const SideGrid::Face& c) {
 
 bool is_linear(const std::vector<LocalSide>& sides) { return sides.empty() || sides.front().nodes.size() <= 4; }
 
+/// A node hangs in a surface if it follows several of its nodes: one that follows its periodic partner, or nodes of a
+/// surface to which the surface is tied, ends no side of another size.
 void refuse_hanging_nodes(const LocalMesh& mesh, const std::vector<int>& nodes, const std::string& name) {
-  if (std::none_of(nodes.begin(), nodes.end(), [&](int node) { return mesh.is_tied(node); })) return;
+  const std::set<int> own(nodes.begin(), nodes.end());
+  const auto hangs = [&](int node) {
+    return mesh.is_tied(node) && mesh.ties.end(node) - mesh.ties.begin(node) > 1 &&
+           std::all_of(mesh.ties.begin(node), mesh.ties.end(node),
+                       [&](const NodeTies::Share& share) { return own.count(share.master) > 0; });
+  };
+  if (std::none_of(nodes.begin(), nodes.end(), hangs)) return;
   throw InputError(
       fmt::format("the surface \"{}\" has hanging nodes, where cells of two sizes meet: curved patches do not close "
                   "there. Use Smoothing \"None\", or quadratic cells, whose own curved sides close",

@@ -83,6 +83,13 @@ void append(const MeshPart& part, const Numbers& numbers, Mesh& all) {
     for (Side& side : set.sides) side.block += first_block;
     all.side_sets.push_back(std::move(set));
   }
+  for (const Side& side : part.mesh.hanging_sides)
+    all.hanging_sides.push_back({side.block + first_block, side.cell, side.side});
+  for (const auto& [a, b, middle] : part.mesh.hanging_edges)
+    all.hanging_edges.push_back({numbers.of(a), numbers.of(b), numbers.of(middle)});
+  for (const Tie& tie : part.mesh.ties)
+    all.ties.push_back({numbers.of(tie.node), renumbered(tie.masters, numbers), tie.weights, tie.in_place});
+  for (const int node : part.mesh.nodes_of_tied_sides) all.nodes_of_tied_sides.push_back(numbers.of(node));
   for (const NodeSet& set : part.mesh.node_sets)
     all.node_sets.push_back({name_in_part(part.name, set.name), renumbered(set.nodes, numbers)});
   for (const std::string& note : part.mesh.notes) all.notes.push_back(fmt::format("part \"{}\": {}", part.name, note));

@@ -19,12 +19,12 @@ std::string name_in_part(const std::string& part, const std::string& own);
 /// Returns whether name_in_part() of this part made the name, in a mesh of joined_parts().
 bool is_in_part(const std::string& part, const std::string& name);
 
-/// Returns one mesh of all parts, in their order, with names from name_in_part() for blocks, side sets and node sets.
-/// Merges no nodes: where parts touch, they stay apart. The nodes that raise_order() appended to a part stand behind
-/// the other nodes of all parts, see Mesh::linear_nodes. Throws InputError if there is no part, if the parts have
-/// different dimensions or meanings of them, if one is enriched, if a name of a part is empty, stands twice, has other
-/// characters than letters (of ASCII), digits, "_" and "-", or begins like the names of another part's blocks ("left"
-/// and "left_upper").
+/// Returns one mesh of all parts, in their order, with names from name_in_part() for blocks, side sets and node sets,
+/// and with their ties. Merges no nodes: where parts touch, they stay apart. The nodes that raise_order() appended to a
+/// part stand behind the other nodes of all parts, see Mesh::linear_nodes. Throws InputError if there is no part, if
+/// the parts have different dimensions or meanings of them, if one is enriched, if a name of a part is empty, stands
+/// twice, has other characters than letters (of ASCII), digits, "_" and "-", or begins like the names of another part's
+/// blocks ("left" and "left_upper").
 Mesh joined_parts(const std::vector<MeshPart>& parts);
 
 /// Returns one part of a mesh of joined_parts(): its blocks and sets, under their names in the joined mesh, and their

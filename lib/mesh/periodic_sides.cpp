@@ -6,6 +6,7 @@
 #include <boost/geometry/algorithms/distance.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -55,6 +56,26 @@ void require_same_sides(const Mesh& mesh, const SideSet& secondary, const SideSe
   }
 }
 
+/// A node that follows others already must follow nodes of its own side: it is on an edge of other periodic sides, or
+/// hangs on a coarser cell.
+void refuse_other_masters(const Mesh& mesh, const Tie& tie, const std::set<int>& followers, const std::string& set) {
+  if (std::all_of(tie.masters.begin(), tie.masters.end(), [&](int master) { return followers.count(master) > 0; }))
+    return;
+  throw InputError(fmt::format(
+      "{}, of the side set \"{}\", follows nodes of another side already: that of a tied surface, or of other periodic "
+      "sides. A Primary Side Set may have such nodes",
+      node_in_words(mesh, tie.node), set));
+}
+
+/// The places of a body of revolution repeat along its axis only.
+void refuse_translation_across_the_axis(const Mesh& mesh, const Vec<3>& translation, double reach) {
+  if (mesh.axisymmetric && std::abs(translation[0]) > reach)
+    throw InputError(
+        fmt::format("the sides are {:.6g} L0 apart along x, the radius; an axisymmetric mesh can be periodic "
+                    "along y, its axis, only",
+                    std::abs(translation[0])));
+}
+
 }  // namespace
 
 void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& primary, double tolerance) {
@@ -75,9 +96,14 @@ void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& 
   for (const int node : leaders) placed.emplace_back(tree_point(node_place(mesh, node)), node);
   const bg::index::rtree<PlacedNode, bg::index::rstar<16>> tree(placed);
   const double reach = tolerance > 0 ? tolerance : place_tolerance(mesh);
+  refuse_translation_across_the_axis(mesh, translation, reach);
   std::set<int> tied;
-  std::map<int, int> partner;  // of the nodes of the secondary sides
-  for (const Tie& tie : mesh.ties) tied.insert(tie.node);
+  std::map<int, int> partner, follower;  // of the nodes of the secondary, the primary sides
+  for (const Tie& tie : mesh.ties) {
+    if (followers.count(tie.node) == 0) continue;
+    refuse_other_masters(mesh, tie, followers, secondary);
+    tied.insert(tie.node);
+  }
   for (const int node : followers) {
     const Vec<3> x = node_place(mesh, node), wanted = x + translation;
     const TreePoint there = tree_point(wanted);
@@ -90,6 +116,11 @@ void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& 
                       node + 1, secondary, point_in_words(x, mesh.dimension), primary,
                       point_in_words(wanted, mesh.dimension), off, reach));
     partner[node] = nearest.front().second;
+    if (const auto [other, is_first] = follower.insert({nearest.front().second, node}); !is_first)
+      throw InputError(
+          fmt::format("{} and {} of the side set \"{}\" have the same partner in \"{}\": the tolerance, {:.3g} "
+                      "L0, is larger than the sides",
+                      node_in_words(mesh, other->second), node_in_words(mesh, node), secondary, primary, reach));
     if (tied.count(node) == 0) mesh.ties.push_back({node, {nearest.front().second}, {1.0}, false});
   }
   require_same_sides(mesh, side_set_named(mesh, secondary), side_set_named(mesh, primary), partner);

@@ -125,10 +125,10 @@ double Inside::excess(const Side& side) const {
   return fits ? largest : std::numeric_limits<double>::infinity();
 }
 
-std::string Inside::span() const {
-  const Bounds bounds = bounds_of(mesh_);
-  const auto text = [this](const Vec<3>& x) {
-    return fmt::format("({})", fmt::join(x.begin(), x.begin() + mesh_.dimension, ", "));
+std::string span_in_words(const Mesh& mesh) {
+  const Bounds bounds = bounds_of(mesh);
+  const auto text = [&](const Vec<3>& x) {
+    return fmt::format("({})", fmt::join(x.begin(), x.begin() + mesh.dimension, ", "));
   };
   return fmt::format("{} to {}", text(bounds.lower), text(bounds.upper));
 }

@@ -28,6 +28,9 @@ struct Region {
 /// than this if 16,000, or 200, of the shortest edges span the mesh. 0 for a mesh without cells.
 double place_tolerance(const Mesh& mesh);
 
+/// Returns the box around a mesh for messages: "(0, 0) to (2, 1)".
+std::string span_in_words(const Mesh& mesh);
+
 /// Tells which nodes and sides of a mesh lie in a region.
 class Inside {
  public:
@@ -45,8 +48,8 @@ class Inside {
   /// Returns whether something so far outside may be meant to lie in the region: it is outside by no more than ten
   /// tolerances, and the tolerance is the mesh's. A user who gives a tolerance knows better.
   bool is_doubtful(double distance) const { return doubts_ && distance > tolerance_ && distance <= 10 * tolerance_; }
-  /// Returns the bounding box of the mesh, for messages.
-  std::string span() const;
+  /// Returns span_in_words() of the mesh.
+  std::string span() const { return span_in_words(mesh_); }
 
  private:
   const Mesh& mesh_;

@@ -84,6 +84,12 @@ void History::keep_forces(const std::vector<double>& forces) {
   }
 }
 
+void History::settle(double released) {
+  if (!simulation_.output().energies) return;
+  const double error = std::abs(balance_ - initial_energy_ + released);
+  if (!(error <= max_energy_error_)) max_energy_error_ = error;  // not std::max: a NaN must remain visible
+}
+
 void History::pass() { keep_forces(row_.forces()); }
 
 void History::record(const RowCounts& counts) {
@@ -93,10 +99,7 @@ void History::record(const RowCounts& counts) {
     balance_ = values.balance;
     if (std::isnan(initial_energy_)) initial_energy_ = balance_;
     if (std::isnan(max_energy_error_)) max_energy_error_ = 0;  // a checkpoint of a run without energies
-    const double error = balance_ - initial_energy_;
     largest_energy_ = std::max({largest_energy_, values.kinetic, std::abs(values.elastic), std::abs(values.contact)});
-    // Not std::max: a NaN must remain visible.
-    if (!(std::abs(error) <= max_energy_error_)) max_energy_error_ = std::abs(error);
   }
   contact_measure_ = values.contact_measure;
   keep_forces(values.forces);

@@ -28,10 +28,13 @@ class History {
   void resume(const std::string& path);
 
   void record(const RowCounts& counts);
+  /// Ends the last row, whose error it counts. `released`: the energy that the body has set free in jumps to other
+  /// equilibria so far, see JumpWatch [E0 L0^D]: no error of the scheme.
+  void settle(double released);
   /// Skips the row of a step: its reactions still count for max_forces().
   void pass();
-  /// Returns the largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without
-  /// energies.
+  /// Returns the largest |E_n - E_0 - external work + dissipation + released energy| of the settled rows [E0 L0^D]; NaN
+  /// without energies.
   double max_energy_error() const { return max_energy_error_; }
   /// Returns the largest kinetic, elastic or interaction energy of the recorded rows [E0 L0^D], the scale of that
   /// error.

@@ -59,14 +59,16 @@ void RunMeasures::step(long steps, double dt) {
   if (scale_ > 0) deepest_ = std::min(deepest_, least_free_gap(model, state.place()));
 }
 
-void RunMeasures::row(const History& history) {
+void RunMeasures::row(History& history) {
   const Integrator& integrator = simulation_.integrator();
   contact_.row(integrator.time(), history.contact_measure(), history.forces());
   // The first state is no equilibrium: constant loads and motions act at once.
   jump_ = {};
   if (is_static(integrator.table()) && steps_ > 0)
     jump_ = jumps_.row(integrator.time(), history.balance(), integrator.external_work(), history.largest_energy());
+  history.settle(jumps_.jumps().released);
   front_.row(steps_, history.contact_measure());
+  if (jump_.released > 0) return;  // friction does not act along a jump
   for (const FrictionReport& report : history.friction_reports()) {
     friction_work_ += report.work;
     friction_lag_ += std::abs(report.lag);

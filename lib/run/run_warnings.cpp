@@ -88,6 +88,8 @@ Message oscillating_force(const Facts& facts) {
 Message detachment_between_outputs(const Facts& facts) {
   constexpr double share = 0.5, faces = 8;
   const double fall = facts.fall.before - facts.fall.after;
+  const Jump& jump = facts.jumps.largest;  // the warning of the jump says it
+  if (jump.released > 0 && jump.from == facts.fall.from && jump.to == facts.fall.to) return "";
   if (facts.face_measure == 0 || fall <= share * facts.largest_measure || fall < faces * facts.face_measure) return "";
   return fmt::format(
       "the contact fell from {:.3g} to {:.3g} between two rows, from t = {:.6g} to {:.6g} T0, {} % of its largest "

@@ -88,6 +88,11 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   for (const StageEnd& stage : result.stages)
     json["stages"].push_back(
         {{"name", stage.name}, {"end_time", stage.time}, {"steps", stage.steps}, {"reason", stage.reason}});
+  if (simulation.stages().any() && (result.status == RunStatus::Completed || result.status == RunStatus::Stopped))
+    json["stages"].push_back({{"name", simulation.stages().name(simulation.stage())},
+                              {"end_time", result.end_time},
+                              {"steps", result.steps},
+                              {"reason", result.reason}});
   json["warnings"] = nlohmann::ordered_json::array();
   for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings, &result.findings})
     for (const Warning& warning : *warnings)

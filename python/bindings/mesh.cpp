@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
@@ -15,7 +16,10 @@
 #include "mesh/generators/given.hpp"
 #include "mesh/joined_parts.hpp"
 #include "mesh/merged_parts.hpp"
+#include "mesh/node_place.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/region.hpp"
+#include "mesh/tied_nodes.hpp"
 #include "scene/read/scene_mesh.hpp"
 #include "scene/read/scene_units.hpp"
 #include "scene_list.hpp"
@@ -104,7 +108,52 @@ void add_side_set(Mesh& mesh, const std::string& name, const py::object& sides, 
   mesh.side_sets.push_back(std::move(set));
 }
 
-Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& node_sets, const py::dict& side_sets) {
+/// `weights`: those of the nodes that the node follows, by number.
+void add_tie(Mesh& mesh, int node, const py::dict& weights) {
+  const std::string place = fmt::format("ties: node {}", node);
+  Tie tie{node, {}, {}};
+  Vec<3> there{};
+  double sum = 0;
+  for (const auto& [master, weight] : weights) {
+    tie.masters.push_back(master.cast<int>());
+    tie.weights.push_back(weight.cast<double>());
+    if (tie.masters.back() < 0 || tie.masters.back() >= mesh.nodes())
+      throw InputError(fmt::format("{} follows node {}; the points are numbered from 0 to {}", place,
+                                   tie.masters.back(), mesh.nodes() - 1));
+    there = there + tie.weights.back() * node_place(mesh, tie.masters.back());
+    sum += tie.weights.back();
+  }
+  if (node < 0 || node >= mesh.nodes())
+    throw InputError(fmt::format("{}: the points are numbered from 0 to {}", place, mesh.nodes() - 1));
+  if (!(std::abs(sum - 1) < 1e-12))
+    throw InputError(fmt::format("{}: its weights sum to {:.15g}; the sum must be 1", place, sum));
+  tie.in_place = length(there - node_place(mesh, node)) <= place_tolerance(mesh);
+  mesh.ties.push_back(std::move(tie));
+}
+
+py::dict ties(const Mesh& mesh) {
+  py::dict result;
+  for (const Tie& tie : resolved_ties(mesh)) {
+    py::dict weights;
+    for (std::size_t k = 0; k < tie.masters.size(); ++k) weights[py::int_(tie.masters[k])] = tie.weights[k];
+    result[py::int_(tie.node)] = weights;
+  }
+  return result;
+}
+
+/// Files of meshes have no place for ties.
+void warn_of_lost_ties(const Mesh& mesh) {
+  if (mesh.ties.empty()) return;
+  const std::string words = fmt::format(
+      "{} nodes of the mesh follow others, which the file does not say: whoever reads it has cells that are not "
+      "connected "
+      "there",
+      mesh.ties.size());
+  if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) throw py::error_already_set();
+}
+
+Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& node_sets, const py::dict& side_sets,
+               const py::dict& ties) {
   const Numbers points = real_numbers(given, "points");
   if (points.ndim() != 2)
     throw InputError(
@@ -123,6 +172,8 @@ Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& 
       add_side_set(mesh, py::str(name), py::reinterpret_borrow<py::object>(sides), sorted);
   }
   check_arrays(mesh);
+  for (const auto& [node, weights] : ties) add_tie(mesh, node.cast<int>(), weights.cast<py::dict>());
+  resolved_ties(mesh);  // refuses nodes that are tied twice, or follow themselves
   check_cells(mesh);
   return mesh;
 }
@@ -183,9 +234,11 @@ order of Exodus; the number of nodes tells the type: in the plane 3, 6 and 7 for
 in space 4, 10 and 15 for tetrahedra, 5, 14 and 19 for pyramids, 6, 18 and 21 for prisms, 8 and 27 for hexahedra. A
 block with cells of several types is a list of such arrays. node_sets: arrays of node numbers by name. side_sets: arrays
 of sides x 2, 3 or 4 node numbers, those of the corners, by name; a triangle beside quadrilaterals has -1 as the last
-one; a side lies on the boundary. Raises InputError for arrays that do not fit each other and for inverted cells.)")
+one; a side lies on the boundary. ties: by node that follows others, the weights of these by node, whose sum is 1: its
+displacement is the sum of weight times theirs. Raises InputError for arrays that do not fit each other and for inverted
+cells.)")
       .def(py::init(&make_mesh), py::arg("points"), py::arg("blocks"), py::arg("node_sets") = py::dict(),
-           py::arg("side_sets") = py::dict())
+           py::arg("side_sets") = py::dict(), py::arg("ties") = py::dict())
       .def_static(
           "read", [](const std::filesystem::path& path) { return read_exodus_mesh(path.string()); }, py::arg("path"),
           "Reads an Exodus file.")
@@ -196,6 +249,8 @@ one; a side lies on the boundary. Raises InputError for arrays that do not fit e
             for (const auto& [name, mesh] : parts) all.push_back({py::str(name), mesh.cast<const Mesh&>()});
             Mesh joined = joined_parts(all);
             if (!(merge >= 0)) throw InputError(fmt::format("merge: {} is no distance", merge));
+            if (merge > 0 && !joined.ties.empty())
+              throw InputError("merge: nodes of the parts follow others already; merge the parts before they are tied");
             if (merge > 0) merge_parts(all, merge, joined);
             return joined;
           },
@@ -217,11 +272,12 @@ one; a side lies on the boundary. Raises InputError for arrays that do not fit e
             if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(path, code)))
               throw InputError(path.string() + " exists; choose another name, or replace it with overwrite=True");
             write_mesh(mesh, path.string(), title);
+            warn_of_lost_ties(mesh);
           },
           py::arg("path"), py::arg("title") = "mesh", py::arg("overwrite") = false,
           "Writes an Exodus file, which a scene names as Mesh/Exodus/File; if the path ends in .msh, one of gmsh, "
-          "Mesh/Gmsh/File, which has no title. Raises InputError if the file exists, unless it may be overwritten, or "
-          "if gmsh's format cannot hold the mesh.")
+          "Mesh/Gmsh/File, which has no title. Warns of ties, which no file holds. Raises InputError if the file "
+          "exists, unless it may be overwritten, or if gmsh's format cannot hold the mesh.")
       .def_property_readonly("dimension", [](const Mesh& mesh) { return mesh.dimension; })
       .def_property_readonly(
           "points",
@@ -233,6 +289,10 @@ one; a side lies on the boundary. Raises InputError for arrays that do not fit e
       .def_property_readonly("blocks", &blocks, "Node numbers of the cells by block: views.")
       .def_property_readonly("node_sets", &node_sets, "Node numbers by set: views.")
       .def_property_readonly("side_sets", &side_sets, "Corners of the sides by set.")
+      .def_property_readonly(
+          "ties", &ties,
+          "The weights of the nodes that each tied node follows, by node: hanging nodes, and those of "
+          "tied surfaces and of periodic sides. None of these nodes is tied.")
       .def_property_readonly(
           "boundary", [](const Mesh& mesh) { return corners(mesh, boundary_sides(mesh)); },
           "Corners of all sides of the boundary.")

@@ -35,6 +35,8 @@ def scan(scene: str | os.PathLike, vary: Mapping[str, str | Iterable], collect: 
     def text(values):
         return values if isinstance(values, str) else "{" + ", ".join(str(value) for value in values) + "}"
 
+    if not isinstance(scene, (str, os.PathLike)):
+        raise InputError("scan: the runs read a scene's file; write the scene, scene.write(path), and give that path")
     numbers = words(collect)
     for number in numbers:
         if numbers.count(number) > 1 or number in _REST or number in [path.rpartition("/")[2] for path in vary]:

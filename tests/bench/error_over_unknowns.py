@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "drivers/plot"))
 import style  # noqa: E402
 from style import plt  # noqa: E402
 
-TITLES = {"strip": "strip", "jkr": "JKR sphere"}
+TITLES = {"strip": "strip", "jkr": "JKR sphere, graded by a map", "jkr of equal cells": "JKR sphere of equal cells"}
 
 
 def main():
@@ -24,7 +24,7 @@ def main():
     arguments = parser.parse_args()
     style.use_style()
     rows = json.loads((arguments.data / "elements-refinement.json").read_text(encoding="utf-8"))["rows"]
-    figure, all_axes = plt.subplots(1, len(TITLES), figsize=(7.6, 3.1), constrained_layout=True)
+    figure, all_axes = plt.subplots(1, len(TITLES), figsize=(10.5, 3.1), constrained_layout=True)
     for axes, (scene, title) in zip(all_axes, TITLES.items()):
         for number, (label, levels) in enumerate((("uniform", False), ("finer at the contact", True))):
             points = sorted((row["dofs"], row["error"]) for row in rows

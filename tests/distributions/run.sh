@@ -4,12 +4,12 @@
 #   --part units|others          builds and runs the unit tests only, or all other quick tests
 #   --packages                   after build and tests, builds the Debian packages there and tests them
 #   --keep FOLDER                where the roots are (default: build/distributions/RELEASE; 5 GB)
-# build     the packages that drivers/common.sh lists, and everything that it builds; compiled objects stay in the
-#           host's ccache folder
+# build     the packages that drivers/common.sh lists, and everything that it builds
 # tests     the quick tests
 # packages  debian/tests on the packages in a fresh root, see tests/packages/install.sh
-# The commit is tested, not the working tree. Needs root, debootstrap and a mirror (IXOS_MIRROR); the exit status is 77
-# without root, or if root may not mount. IXOS_FASTER_ARCHS: instruction sets of the packages (docs/packages.md).
+# The commit is tested, not the working tree. Compiled objects stay in the host's ccache folder. Needs root, debootstrap
+# and a mirror (IXOS_MIRROR); the exit status is 77 without root, or if root may not mount. IXOS_FASTER_ARCHS:
+# instruction sets of the packages (docs/packages.md).
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 here=$root/tests/distributions
@@ -97,8 +97,9 @@ packages() {
   [ -d "$work/build/ixos" ] || make_root
   rm -rf "$work/build/packages"
   git clone -q "$root" "$work/build/packages/ixos"
-  logged dependencies inside sh -c 'apt-get update -qq && cd /packages/ixos && apt-get build-dep -y -qq ./'
-  logged packages inside env ${IXOS_FASTER_ARCHS+"IXOS_FASTER_ARCHS=$IXOS_FASTER_ARCHS"} \
+  logged dependencies inside sh -c \
+    'apt-get update -qq && cd /packages/ixos && apt-get build-dep -y -qq ./ && apt-get install -y -qq ccache'
+  logged packages inside env IXOS_CCACHE=ccache CCACHE_DIR=/ccache "IXOS_FASTER_ARCHS=${IXOS_FASTER_ARCHS-all}" \
     sh -c 'cd /packages/ixos && dpkg-buildpackage -b -us -uc'
   IXOS_BIND="" "$root/tests/packages/install.sh" "$work/build/packages" "$work" "$release"
 }

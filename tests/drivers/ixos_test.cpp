@@ -243,7 +243,7 @@ TEST_F(DriverTest, ExplainNamesRefinementsAndTies) {
   expect(std::string(IXOS_XML_DIRECTORY) + "/pillar-backing.xml",
          "Tie Joint: the nodes of side set \"pillar_top\" follow side set \"backing_bottom\"\n");
   expect(std::string(IXOS_TEST_DIRECTORY) + "/guide/refined-foot.xml",
-         "Refine Underside: 1 level(s)\nRefine Left Edge: 3 level(s)\n");
+         "Refine Underside: 1 level\nRefine Left Edge: 3 levels\n");
 }
 
 TEST_F(DriverTest, TheParameterDocumentIsCurrent) {

@@ -9,6 +9,11 @@
 #include "base/error.hpp"
 #include "geometry/placed_surface.hpp"
 #include "mesh/enrichment/enrich.hpp"
+#include "mesh/joined_parts.hpp"
+#include "mesh/mortar/tied_surfaces.hpp"
+#include "mesh/periodic_sides.hpp"
+#include "mesh/splitting/refine.hpp"
+#include "support/refusal.hpp"
 #include "support/sphere_patches.hpp"
 #include "support/two_bodies.hpp"
 
@@ -49,6 +54,28 @@ TEST(SurfacePatchesTest, ACircleIsOneClosedSmoothCurve) {
     }
     EXPECT_NEAR(length_around, 2 * M_PI * radius, 1e-3 * radius);
   }
+}
+
+/// Nodes of periodic sides and of tied surfaces follow others, too, but end no side of another size.
+TEST(SurfacePatchesTest, HangingNodesAloneInterruptSmoothFaces) {
+  const auto refusal = [](const Mesh& mesh, const std::string& set) {
+    return test::refusal([&] { test::MeshPatches(mesh, set, Smoothing::CatmullRom); });
+  };
+  BoxShape shape;
+  shape.dimension = 3;
+  shape.divisions = {3, 3, 2};
+  Mesh periodic = box(shape), refined = box(shape);
+  make_periodic(periodic, "left", "right", 0);
+  EXPECT_EQ(refusal(periodic, "top"), "");
+  RefinedRegion corner;
+  corner.upper = {0.1, 0.1, 2};
+  refine(refined, {{"corner", corner}}, 1);
+  test::expect_contains(refusal(refined, "top"), "the surface \"top\" has hanging nodes");
+  shape.lower = {0, 0, 1};
+  shape.divisions = {2, 2, 1};
+  Mesh tied = joined_parts({{"lower", periodic}, {"upper", box(shape)}});
+  tie_surfaces(tied, "upper_bottom", "lower_top", 0);
+  EXPECT_EQ(refusal(tied, "upper_left"), "");
 }
 
 TEST(SurfacePatchesTest, CornersAndFreeEndsEndACurve) {

@@ -11,7 +11,9 @@
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "mesh/periodic_sides.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/splitting/refine.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos {
@@ -118,6 +120,31 @@ TEST(JoinedPartsTest, NotesNameTheirPart) {
   noted.notes = {"a point is left out"};
   EXPECT_EQ(joined_parts({{"plain", box_of(2)}, {"noted", noted}}).notes,
             std::vector<std::string>{"part \"noted\": a point is left out"});
+}
+
+TEST(JoinedPartsTest, TiesStayWithTheirNodes) {
+  Mesh one = box_of(2), two = box_of(2, 5, {2, 2, 1});
+  raise_order(one);
+  raise_order(two);
+  RefinedRegion corner;
+  corner.upper = {5.1, 0.1};
+  refine(two, {{"corner", corner}}, 2);
+  make_periodic(one, "right", "left", 0);
+  ASSERT_FALSE(two.ties.empty());
+  const Mesh joined = joined_parts({{"one", one}, {"two", two}});
+  ASSERT_EQ(joined.ties.size(), one.ties.size() + two.ties.size());
+  std::size_t k = 0;
+  for (const Mesh* part : {&one, &two})
+    for (const Tie& tie : part->ties) {
+      const Tie& own = joined.ties[k++];
+      EXPECT_EQ(places(joined, {own.node}), places(*part, {tie.node}));
+      EXPECT_EQ(places(joined, own.masters), places(*part, tie.masters));
+      EXPECT_EQ(own.weights, tie.weights);
+      EXPECT_EQ(own.in_place, tie.in_place);
+    }
+  EXPECT_EQ(joined.hanging_sides.size(), two.hanging_sides.size());
+  EXPECT_EQ(joined.hanging_sides.front().block, two.hanging_sides.front().block + 1);
+  EXPECT_EQ(joined.nodes_of_tied_sides.size(), one.nodes_of_tied_sides.size());
 }
 
 TEST(JoinedPartsTest, PartsThatDoNotFitAreRefused) {

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Builds the Debian packages of the commit, checks them with lintian, and tests them in a clean root:
 #   tests/packages/run.sh [FOLDER]            (default: a temporary one; 6 GB)
-#   tests/packages/run.sh --twice [FOLDER]    builds them twice, and compares them to the bit: half an hour
-# It takes 40 minutes on two cores, less with fewer instruction sets: IXOS_FASTER_ARCHS, see docs/packages.md. --twice
-# builds for one, which is enough to see what differs. Needs root on Debian 12, and mounts unless --twice; elsewhere the
-# exit status is 77. FOLDER/packages and its like are built anew if they have packages of another commit.
+#   tests/packages/run.sh --twice [FOLDER]    builds them twice, and compares them to the bit
+# A build for one instruction set takes half an hour on two cores, each further one 20 minutes: IXOS_FASTER_ARCHS, see
+# docs/packages.md. Compiled objects are kept in ccache's folder; the second build of --twice is made without them, in
+# another folder. --twice builds for one instruction set, which is enough to see what differs. Needs root on Debian 12,
+# and mounts unless --twice; elsewhere the exit status is 77. FOLDER/packages is built anew if it has other packages.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 twice=false
@@ -20,31 +21,35 @@ fi
 work=$(realpath -m "${1:-$(mktemp -d)}")
 commit=$(git -C "$root" rev-parse HEAD)
 . "$root/drivers/install.sh"
-install_missing debootstrap dpkg-dev git lintian
+install_missing ccache debootstrap dpkg-dev git lintian
 apt-get update -qq
 DEBIAN_FRONTEND=noninteractive apt-get build-dep -y -qq "$root" >/dev/null
 
-# build NAME: makes the packages in a new clone. Two names give two paths and two times.
+# build NAME CCACHE: makes the packages in a new clone. Two names give two paths and two times. A name has the same path
+# each time, so ccache need not rewrite paths, which would show in the objects.
 build() {
-  [ "$(cat "$work/$1/commit" 2>/dev/null)" != "$commit" ] || return 0
+  local made="$commit for ${IXOS_FASTER_ARCHS-all}"
+  [ "$(cat "$work/$1/made" 2>/dev/null)" != "$made" ] || return 0
   rm -rf "${work:?}/$1"
   mkdir -p "$work/$1"
   git clone -q "$root" "$work/$1/ixos"
-  if ! (cd "$work/$1/ixos" && dpkg-buildpackage -b -us -uc >"../build.log" 2>&1); then
+  if ! (cd "$work/$1/ixos" &&
+    env -u CCACHE_BASEDIR -u CCACHE_NOHASHDIR IXOS_CCACHE="$2" CCACHE_DIR="${CCACHE_DIR:-$HOME/.cache/ccache}" \
+      dpkg-buildpackage -b -us -uc >"../build.log" 2>&1); then
     tail -50 "$work/$1/build.log"
     exit 1
   fi
-  echo "$commit" >"$work/$1/commit"
+  echo "$made" >"$work/$1/made"
 }
 
 if $twice; then
   export IXOS_FASTER_ARCHS=""
-  build first
-  build second
-  for deb in "$work"/first/*.deb; do cmp "$deb" "$work/second/$(basename "$deb")"; done
+  build packages ccache
+  build second OFF
+  for deb in "$work"/packages/*.deb; do cmp "$deb" "$work/second/$(basename "$deb")"; done
   echo "Both builds made the same packages."
 else
-  build packages
+  build packages ccache
   lintian --fail-on error "$work"/packages/*.changes
   "$root/tests/packages/install.sh" "$work/packages" "$work"
 fi

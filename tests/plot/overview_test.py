@@ -149,7 +149,7 @@ class OverviewTest(ScriptTest):
 
     def test_widths_without_room_are_refused(self):
         self.assert_refused("is not a width", "overview.py", self.strip, "--width", "86")
-        self.assert_refused("is too narrow for this figure", "history.py", self.strip, "--width", "20mm")
+        self.assert_refused("choose at least", "history.py", self.strip, "--width", "20mm")
         self.assert_refused("unknown format 'jpg'; allowed: png, svg, pdf, eps", "overview.py", self.strip, "--format",
                             "jpg")
 

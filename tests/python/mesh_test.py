@@ -26,6 +26,36 @@ class MeshTest(FolderTest):
                          {frozenset(side) for side in [(0, 1), (1, 2), (2, 5), (5, 4), (4, 3), (3, 0)]})
         self.assertFalse(mesh.points.flags.owndata)
 
+    def test_ties_come_back_and_bear(self):
+        scene = pulled_block()
+        scene.set("Mesh/Refine/Corner/Upper={0.1, 0.1}")
+        mesh = scene.mesh_arrays()
+        self.assertEqual(sorted(len(weights) for weights in mesh.ties.values()), [2, 2])
+        for node, weights in mesh.ties.items():
+            place = sum(weight * mesh.points[master] for master, weight in weights.items())
+            np.testing.assert_allclose(place, mesh.points[node], atol=1e-14)
+        again = ixos.Mesh(mesh.points, mesh.blocks, mesh.node_sets, mesh.side_sets, mesh.ties)
+        self.assertEqual(again.ties, mesh.ties)
+        both = ixos.Mesh.joined({"one": mesh, "two": again})
+        self.assertEqual(len(both.ties), 4)
+        with self.assertRaisesRegex(ixos.InputError, "merge the parts before they are tied"):
+            ixos.Mesh.joined({"one": mesh, "two": again}, merge=1e-6)
+        with self.assertWarnsRegex(UserWarning, "2 nodes of the mesh follow others"):
+            mesh.write(self.folder / "mesh.e")
+        plain = pulled_block()
+        simulation = plain.simulation(mesh=again)
+        while simulation.time < 1 - 1e-12:
+            self.assertTrue(simulation.step())
+        np.testing.assert_allclose(simulation.reaction("right"), [8 * 0.04 / 4 * 2, 0], atol=1e-12)
+
+    def test_ties_that_do_not_fit_are_refused(self):
+        for ties, words in (({9: {0: 1.0}}, "ties: node 9: the points are numbered"),
+                            ({1: {9: 1.0}}, "ties: node 1 follows node 9"),
+                            ({1: {0: 0.5, 2: 0.4}}, "weights sum to 0.9; the sum must be 1"),
+                            ({0: {1: 1.0}, 1: {0: 1.0}}, "follows itself")):
+            with self.subTest(words), self.assertRaisesRegex(ixos.InputError, words):
+                block(ties=ties)
+
     def test_a_body_of_arrays_bears_its_load(self):
         simulation = pulled_block().simulation(mesh=block())
         while simulation.time < 1 - 1e-12:

@@ -86,7 +86,7 @@ class RunTest(FolderTest):
         self.assertEqual([scheme for _, scheme, _ in seen], 20 * ["Average Vector Field"] + 30 * ["Newmark"])
         np.testing.assert_allclose([time for time, _, _ in seen], done.results["time"][1:])
         np.testing.assert_allclose([energy for _, _, energy in seen], done.results["kinetic_energy"][1:], rtol=1e-14)
-        self.assertEqual([stage["name"] for stage in done.results.summary["stages"]], ["Fall"])
+        self.assertEqual([stage["name"] for stage in done.results.summary["stages"]], ["Fall", "Rise"])
 
     def test_an_observer_may_remove_itself(self):
         def once(simulation):

@@ -73,7 +73,7 @@ TEST_F(StagesTest, EachGoesOnFromTheOneBeforeInOneHistory) {
   // A source of the second stage has no numbers in the first one.
   EXPECT_TRUE(std::isnan(rows.column("dissipated_damping")[5]));
   EXPECT_DOUBLE_EQ(rows.column("dissipated_damping").back(), lost.back());
-  EXPECT_EQ(summary("all")["stages"].size(), 2U);
+  EXPECT_EQ(summary("all")["stages"].size(), 3U);
 }
 
 TEST_F(StagesTest, AStageIsARestartInItsScene) {

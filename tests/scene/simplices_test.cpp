@@ -85,16 +85,30 @@ TEST(SimplexSceneTest, AllStagesHaveTheCellsThatOneOfThemNeeds) {
   EXPECT_EQ(types(simulation), "Tri7");
 }
 
+bool warns(const Simulation& simulation, const std::string& words) {
+  const auto& all = simulation.warnings();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Warning& warning) { return warning.message.find(words) != std::string::npos; });
+}
+
 TEST(SimplexSceneTest, LinearCellsAreWarnedOf) {
   const auto warned = [](int order) {
-    const Simulation simulation(scene(order, "Newmark"), plate(), test::world());
-    const auto& all = simulation.warnings();
-    return std::any_of(all.begin(), all.end(), [](const Warning& warning) {
-      return warning.message.find("linear Tri3 cells are too stiff in bending") != std::string::npos;
-    });
+    return warns(Simulation(scene(order, "Newmark"), plate(), test::world()),
+                 "linear Tri3 cells are too stiff in bending");
   };
   EXPECT_TRUE(warned(1));
   EXPECT_FALSE(warned(2));
+}
+
+TEST(SimplexSceneTest, StandardQuadraticTetrahedraNearOneHalfAreWarnedOf) {
+  const auto warned = [](const Mesh& mesh, double ratio, const std::string& material) {
+    return warns(Simulation(scene(2, "Newmark", number("Poisson's Ratio", ratio) + material), mesh, test::world()),
+                 "the cells are quadratic tetrahedra of the Element Formulation \"Standard\"");
+  };
+  EXPECT_TRUE(warned(brick(), 0.49, ""));
+  EXPECT_FALSE(warned(brick(), 0.48, ""));
+  EXPECT_FALSE(warned(brick(), 0.4999, word("Element Formulation", "Mean Dilatation")));
+  EXPECT_FALSE(warned(plate(), 0.4999, ""));
 }
 
 TEST(SimplexSceneTest, WhatTheyDoNotHaveIsRefused) {

@@ -7,6 +7,8 @@
 #include "material/elastic_law.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "mesh/joined_parts.hpp"
+#include "mesh/mortar/tied_surfaces.hpp"
 #include "mesh/periodic_sides.hpp"
 #include "mesh/selection.hpp"
 #include "mesh/splitting/refine.hpp"
@@ -33,12 +35,14 @@ Mesh bar(int dimension, int along, double length) {
   return box(shape);
 }
 
+/// Refines below, away from the left and right, and in space from front to back.
 void refine_middle(Mesh& mesh) {
   RefinedRegion middle;
   middle.lower.assign(static_cast<std::size_t>(mesh.dimension), -1);
   middle.upper.assign(static_cast<std::size_t>(mesh.dimension), 0.4);
   middle.lower[0] = 0.9;
   middle.upper[0] = 1.1;
+  if (mesh.dimension == 3) middle.upper[1] = 2;
   refine(mesh, {{"middle", middle}}, 1);
 }
 
@@ -75,7 +79,7 @@ TEST(PeriodicTest, PressureWithoutLateralStrainHasTheModulusOfThePlaneWave) {
   for (const int dimension : {2, 3})
     for (const bool refined : {false, true}) {
       Mesh mesh = bar(dimension, 4, 2);
-      if (refined && dimension == 2) refine_middle(mesh);
+      if (refined) refine_middle(mesh);
       make_periodic(mesh, "right", "left", 0);
 
       if (dimension == 3) make_periodic(mesh, "back", "front", 0);
@@ -117,6 +121,45 @@ TEST(PeriodicTest, SidesThatDoNotFitAreRefusedWithNamesAndPlaces) {
                           make_periodic(mesh, "right", "left", 0);
                         }),
                         "has no partner in \"left\"");
+}
+
+TEST(PeriodicTest, NodesThatFollowOthersAlreadyAreRefused) {
+  const auto refusal = [](const std::string& first, const std::string& second) {
+    return test::refusal([&] {
+      Mesh mesh = bar(2, 4, 2);
+      make_periodic(mesh, first, second, 0);
+      make_periodic(mesh, "right", "left", 0);
+    });
+  };
+  EXPECT_EQ(refusal("top", "bottom"), "");  // a node of both sides' corner follows along its own side
+  test::expect_contains(refusal("right", "left"), "of the side set \"right\", follows nodes of another side already");
+  BoxShape upper;
+  upper.dimension = 2;
+  upper.lower = {0, 1, 0};
+  upper.lengths = {2, 1, 1};
+  upper.divisions = {3, 2, 1};
+  Mesh mesh = joined_parts({{"lower", bar(2, 4, 2)}, {"upper", box(upper)}});
+  tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
+  test::expect_contains(test::refusal([&] { make_periodic(mesh, "upper_bottom", "upper_top", 0); }),
+                        "follows nodes of another side already");
+}
+
+TEST(PeriodicTest, OneNodeHasOnePartner) {
+  Mesh mesh = bar(2, 4, 2);
+  for (int node = 0; node < mesh.nodes(); ++node) {  // the middle of the right side comes near its upper end
+    double* const x = &mesh.coordinates[2 * static_cast<std::size_t>(node)];
+    if (x[0] > 1.9 && x[1] > 0.4 && x[1] < 0.6) x[1] = 0.9;
+  }
+  test::expect_contains(test::refusal([&] { make_periodic(mesh, "right", "left", 1); }), "have the same partner");
+}
+
+TEST(PeriodicTest, ABodyOfRevolutionRepeatsAlongItsAxis) {
+  Mesh ring = bar(2, 4, 2);
+  ring.axisymmetric = true;
+  Mesh rod = ring;
+  EXPECT_NO_THROW(make_periodic(rod, "top", "bottom", 0));
+  test::expect_contains(test::refusal([&] { make_periodic(ring, "right", "left", 0); }),
+                        "the sides are 2 L0 apart along x, the radius");
 }
 
 /// A cube of five tetrahedra cuts opposite faces along crossing diagonals, one of six along the same.

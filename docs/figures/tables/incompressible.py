@@ -20,20 +20,29 @@ CELLS = (("structured quadrilaterals", 1, STANDARD), ("structured quadrilaterals
          ("structured triangles", 2, MEAN), ("gmsh's triangles", 2, STANDARD), ("gmsh's triangles", 2, MEAN))
 
 
-def ripple(path, sides):
-    """Returns the root mean square of the jumps of tr(sigma) of cells with a common side, over that of tr(sigma)."""
+def root_mean_square(values):
+    return float(numpy.sqrt(numpy.mean(numpy.square(values))))
+
+
+def invariants(path):
+    """Returns tr(sigma) of the cells at the end, and their nodes."""
     with Dataset(path) as file:
         names = [bytes(name.compressed()).decode().strip("\0 ") for name in file.variables["name_elem_var"][:]]
         number = names.index("first_stress_invariant") + 1
-        values = numpy.asarray(file.variables[f"vals_elem_var{number}eb1"][-1])
-        nodes = numpy.asarray(file.variables["connect1"][:])
+        return (numpy.asarray(file.variables[f"vals_elem_var{number}eb1"][-1]),
+                numpy.asarray(file.variables["connect1"][:]))
+
+
+def ripple(path, sides):
+    """Returns the root mean square of the jumps of tr(sigma) of cells with a common side, over that of tr(sigma)."""
+    values, nodes = invariants(path)
     beside, jumps = {}, []
     for cell, own in enumerate(nodes):
         for side in sides:
             other = beside.setdefault(frozenset(own[list(side)].tolist()), cell)
             if other != cell:
                 jumps.append(values[cell] - values[other])
-    return float(numpy.sqrt(numpy.mean(numpy.square(jumps)) / numpy.mean(numpy.square(values))))
+    return root_mean_square(jumps) / root_mean_square(values)
 
 
 def settings(mesh, order, formulation, ratio, divisions):
@@ -91,6 +100,7 @@ def measure_bar(context):
                 "Time Integrator/Time Step Control/Time Step=0.1"], frames=True)
             row["dofs"] = summary["dofs"]
             row[f"moment {ratio}"] = context.history()["moment_Twist_z"][-1]
+            row[f"pressure {ratio}"] = root_mean_square(invariants(context.folder / "run/fields.e")[0]) / 3
             row[f"ripple {ratio}"] = ripple(context.folder / "run/fields.e", sides)
             row[f"iterations {ratio}"] = summary["newton_iterations"] / summary["steps"]
         rows.append(row)
@@ -110,5 +120,6 @@ TABLES = [
                    Column("without mixed steps", "{:.1f}", "plain")]),
     Table(name="elements-twist", page=PAGE, code=bodies.MECHANICS, minutes=5, measure=measure_bar,
           columns=[Column("mesh"), Column("cells"), Column("degrees of freedom", "{:,}", "dofs"),
-                   *columns_of((("moment, N mm", "{:.4f}", "moment"), RIPPLE, ITERATIONS))]),
+                   *columns_of((("moment, N mm", "{:.4f}", "moment"), ("pressure, MPa", "{:.4f}", "pressure"), RIPPLE,
+                                ITERATIONS))]),
 ]

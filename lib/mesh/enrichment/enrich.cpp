@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "mesh/enrichment/contact_elements.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/side_set_nodes.hpp"
 
 namespace ixos {
 
@@ -26,6 +28,14 @@ const std::vector<std::pair<std::string, ContactElement>>& contact_elements() {
 }
 
 namespace {
+
+/// Returns whether an edge on which a node hangs ends at the sides of the set, or the node is one of theirs.
+bool has_hanging_nodes(const Mesh& mesh, const SideSet& set) {
+  const std::set<int> nodes = nodes_of(mesh, set);
+  return std::any_of(mesh.hanging_edges.begin(), mesh.hanging_edges.end(), [&](const std::array<int, 3>& edge) {
+    return std::any_of(edge.begin(), edge.end(), [&](int node) { return nodes.count(node) > 0; });
+  });
+}
 
 /// Returns the type of cells whose contact side is that element, which is neither Q1C1 nor Q2C2.
 CellType enriched_type(int dimension, ContactElement element) {
@@ -239,7 +249,7 @@ void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int
   const SideSet set = side_set_named(mesh, side_set);  // a copy: the mesh's own changes on the way
   if (fitting_element(mesh, set, element) == ContactElement::Q2C2) return;
   check(mesh, set);
-  if (element == ContactElement::Q1CH && !mesh.hanging_edges.empty())
+  if (element == ContactElement::Q1CH && has_hanging_nodes(mesh, set))
     throw InputError("side set \"" + side_set +
                      "\": Hermite sides (Q1CH) are continued from cell to cell, which hanging nodes interrupt; choose "
                      "Q1C2 or Q1C4, or leave the mesh as coarse as it is");

@@ -71,6 +71,7 @@ class SurfaceTie {
       : mesh_(mesh), secondary_(secondary), primary_(primary), tolerance_(tolerance) {}
 
   void apply() {
+    refuse_wide_tolerance();
     const MortarSurfaces surfaces{secondary_.sides, primary_.sides, mesh_.axisymmetric,
                                   [this](const Facet& side) { return reach(side); }};
     const std::vector<FacingParts> parts = all_facing_parts(surfaces);
@@ -87,7 +88,7 @@ class SurfaceTie {
     for (const auto& [node, masters] : weights.of_node) mesh_.ties.push_back(tie_of(node, masters));
     refuse_leaving_the_axis();
     place_tied_nodes(mesh_);
-    refuse_long_ways();
+    note_way(longest_way());
   }
 
  private:
@@ -97,6 +98,26 @@ class SurfaceTie {
 
   double reach(const Facet& side) const { return tolerance_ > 0 ? tolerance_ : side.size() / 20; }
 
+  /// Nodes that move by half of a side turn cells inside out.
+  void refuse_wide_tolerance() const {
+    for (const Facet& side : secondary_.sides)
+      if (tolerance_ > side.size() / 2)
+        throw InputError(fmt::format("the Tolerance, {:.3g} L0, is more than half of {}, which is {:.3g} L0 long",
+                                     tolerance_, side_in_words(side), side.size()));
+  }
+
+  /// Returns why nothing faces a side: the nearest primary side is far away, or looks the same way.
+  std::string why_nothing_faces(const Facet& side) const {
+    const auto distance = [&](const Facet& other) { return length(other.middle() - side.middle()); };
+    const Facet& nearest = *std::min_element(primary_.sides.begin(), primary_.sides.end(),
+                                             [&](const Facet& a, const Facet& b) { return distance(a) < distance(b); });
+    if (inner(nearest.normal(), side.normal()) > 0)
+      return fmt::format("the nearest one, at {}, looks the same way",
+                         point_in_words(nearest.middle(), mesh_.dimension));
+    return fmt::format("the middle of the nearest one, at {}, is {:.3g} L0 away; the tolerance is {:.3g} L0",
+                       point_in_words(nearest.middle(), mesh_.dimension), distance(nearest), reach(side));
+  }
+
   [[noreturn]] void refuse_uncovered(const Facet& side, const FacingParts& found) const {
     if (found.covered > 1)
       throw InputError(fmt::format("several sides of \"{}\" face {}: they cover {:.6g} times its area within {:.3g} L0",
@@ -104,6 +125,9 @@ class SurfaceTie {
     if (found.too_far > 0)
       throw InputError(fmt::format("{} is {:.3g} L0 away from \"{}\"; the tolerance is {:.3g} L0", side_in_words(side),
                                    found.too_far, primary_.name, reach(side)));
+    if (found.covered == 0)
+      throw InputError(
+          fmt::format("no side of \"{}\" faces {}: {}", primary_.name, side_in_words(side), why_nothing_faces(side)));
     throw InputError(
         fmt::format("the sides of \"{}\" face {:.6g} % of {}. A primary surface must cover the secondary one; if it is "
                     "the smaller one, exchange them",
@@ -138,7 +162,9 @@ class SurfaceTie {
                         node_in_words(mesh_, tie.node), secondary_.name, primary_.name));
   }
 
-  void refuse_long_ways() const {
+  /// Returns how far a node moved. Throws InputError if that is too far.
+  double longest_way() const {
+    double longest = 0;
     for (const Facet& side : secondary_.sides)
       for (std::size_t a = 0; a < side.nodes().size(); ++a) {
         const int node = side.nodes()[a];
@@ -146,7 +172,15 @@ class SurfaceTie {
         if (way > reach(side))
           throw InputError(fmt::format("{}, of \"{}\", would move by {:.3g} L0 onto \"{}\"; the tolerance is {:.3g} L0",
                                        node_in_words(mesh_, node), secondary_.name, way, primary_.name, reach(side)));
+        longest = std::max(longest, way);
       }
+    return longest;
+  }
+
+  void note_way(double way) const {
+    if (way > place_tolerance(mesh_))
+      mesh_.notes.push_back(fmt::format("the nodes of \"{}\" moved by up to {:.3g} L0 onto \"{}\", which they follow",
+                                        secondary_.name, way, primary_.name));
   }
 
   Mesh& mesh_;

@@ -24,8 +24,9 @@ namespace ixos {
 ///
 /// `tolerance`: how far the surfaces may be apart, and how far a node may move [L0]; 0: a twentieth of the longest
 /// diagonal of the secondary side in question. Throws InputError if a set does not exist or is empty, both have common
-/// nodes, secondary sides are triangles of six nodes, the primary sides do not cover the secondary ones, once each, or
-/// are too far away, if a secondary node is tied already, and if the mesh is enriched.
+/// nodes, secondary sides are triangles of six nodes or not twice as long as the tolerance, the primary sides do not
+/// cover the secondary ones, once each, or are too far away, if a secondary node is tied already, and if the mesh is
+/// enriched. Adds a note of how far nodes moved.
 void tie_surfaces(Mesh& mesh, const std::string& secondary, const std::string& primary, double tolerance);
 
 }  // namespace ixos

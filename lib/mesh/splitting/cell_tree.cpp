@@ -11,6 +11,7 @@
 #include "fem/corner_element.hpp"
 #include "fem/with_element.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
+#include "mesh/region.hpp"
 
 namespace ixos {
 namespace {
@@ -247,7 +248,9 @@ void CellTree::split(const std::vector<RegionSearch>& regions, const std::vector
     refuse_many();
   }
   for (std::size_t r = 0; r < regions.size(); ++r)
-    if (met_[r] == 0) throw InputError(names[r] + ": no cell of the mesh meets the region");
+    if (met_[r] == 0)
+      throw InputError(
+          fmt::format("{}: no cell of the mesh meets the region; the mesh spans {}", names[r], span_in_words(mesh_)));
   const bool in_all =
       std::all_of(regions.begin(), regions.end(), [](const auto& region) { return region.splits_all(); });
   while (balance(in_all)) refuse_many();

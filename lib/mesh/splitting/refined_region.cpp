@@ -54,6 +54,10 @@ RegionSearch::RegionSearch(const Mesh& mesh, const RefinedRegion& region) : regi
   check_length("Sphere Center", region.sphere_center, mesh.dimension);
   if (region.lower.empty() && region.upper.empty() && region.sphere_radius == 0 && region.side_set.empty())
     throw InputError("nothing tells where the mesh is refined; give Lower, Upper, Sphere Radius or Side Set");
+  for (std::size_t i = 0; i < std::min(region.lower.size(), region.upper.size()); ++i)
+    if (region.lower[i] > region.upper[i])
+      throw InputError(
+          fmt::format("Lower {:.6g} is above Upper {:.6g} along {}", region.lower[i], region.upper[i], "xyz"[i]));
   if (region.sphere_radius == 0 && !region.sphere_center.empty())
     throw InputError("Sphere Center needs a Sphere Radius greater than 0");
   if (region.side_set.empty() && region.distance > 0) throw InputError("Distance needs a Side Set");

@@ -14,6 +14,7 @@
 #include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/side_set_nodes.hpp"
 #include "scene/read/mesh_parts.hpp"
 
 namespace ixos {
@@ -95,6 +96,39 @@ double curvature_below(const Obstacle& obstacle, const Point& x, int dimension) 
   double bend = 0;
   for (std::size_t i = 0; i < 3; ++i) bend += found.bend[i][i][0] / (dimension - 1);
   return bend == 0 ? 0 : 1 / (1 / bend - found.gap[0]);
+}
+
+/// Returns the curvature 1/R of the gap r^2/(2 R) + ... over the distance r from its least place, as the nodes near it
+/// have it: that of the surface and of the obstacle together. 0 if the surface is flat there, an edge, or too coarse.
+double curvature_of_gap(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle) {
+  constexpr double steep = 0.2, scatter = 0.25;  // of dgap/dr, of the curvature
+  struct Near {
+    double distance, gap;
+  };
+  std::vector<std::pair<double, Vec<3>>> found;
+  for (const int node : nodes_of(mesh, set)) {
+    if (mesh.plain_nodes >= 0 && node >= mesh.plain_nodes) continue;  // enrichment: on the straight sides
+    const Vec<3> x = node_place(mesh, node);
+    found.emplace_back(obstacle_gap(obstacle, x).gap[0], x);
+  }
+  const auto [least, apex] =
+      *std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Near> around;
+  for (const auto& [gap, x] : found) {
+    const double way = length(x - apex), along = std::sqrt(std::max(0.0, way * way - (gap - least) * (gap - least)));
+    if (along > 0 && 2 * (gap - least) < steep * along) around.push_back({along, gap - least});
+  }
+  constexpr std::size_t most = 12;
+  std::sort(around.begin(), around.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
+  if (around.size() < 2) return 0;
+  around.resize(std::min(most, around.size()));
+  std::vector<double> curvatures;
+  for (const Near& own : around) curvatures.push_back(2 * own.gap / (own.distance * own.distance));
+  std::sort(curvatures.begin(), curvatures.end());
+  const double middle = curvatures[curvatures.size() / 2];
+  const bool is_round = middle * around.back().distance > 1e-3 && curvatures.front() > (1 - scatter) * middle &&
+                        curvatures.back() < (1 + scatter) * middle;
+  return is_round ? middle : 0;
 }
 
 void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
@@ -206,6 +240,8 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     double curvature = curvature_below(*obstacle, nearest, mesh.dimension);
     if (const std::string type = shape.text("Type"); type == "Disk" || type == "Ball")
       curvature += 2 / shape.sublist(type).number("Diameter");
+    else if (curvature == 0)
+      curvature = curvature_of_gap(mesh, *set, *obstacle);
     if (curvature > 0) {
       numbers.radius = 1 / curvature;
       const double elastic = numbers.elastic_length * body.modulus / body.plane_modulus;

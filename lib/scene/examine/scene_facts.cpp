@@ -3,16 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "fem/cell_info.hpp"
+#include "interaction/catalogue.hpp"
 #include "interaction/gap_law.hpp"
+#include "interaction/obstacle.hpp"
 #include "material/elastic_law.hpp"
 #include "material/lame.hpp"
 #include "mesh/layers.hpp"
+#include "mesh/node_place.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
 #include "mesh/set_size.hpp"
 #include "mesh/side_grid.hpp"
+#include "mesh/side_set_nodes.hpp"
 #include "scene/examine/symmetry_planes.hpp"
 
 namespace ixos {
@@ -115,10 +120,13 @@ BodyBending body_bending(const Material& material, const Mesh& mesh, const std::
     query.held = held;
   }
   own.cells = typical_bending(mesh, query);
-  for (const ElementBlock& block : mesh.blocks)
-    if (const CellInfo& info = cell_info(block.type);
-        block.name == material.block && info.order == 1 && !is_cube(block.type) && block.cells() > 0)
-      own.stiff_cells = info.name;
+  for (const ElementBlock& block : mesh.blocks) {
+    if (block.name != material.block || block.cells() == 0) continue;
+    const CellInfo& info = cell_info(block.type);
+    if (info.order == 1 && !is_cube(block.type)) own.stiff_cells = info.name;
+    if (info.order == 2 && info.shape == ReferenceShape::Tetrahedron && material.formulation == Formulation::Standard)
+      own.has_tetrahedra = true;
+  }
   return own;
 }
 
@@ -128,6 +136,30 @@ void add_open_surfaces(const SceneInteraction& interaction, const Mesh& mesh, st
   for (const std::string& set : {interaction.side_set, interaction.primary})
     if (const auto open = open_creases(mesh, side_set_named(mesh, set)); open.count > 0)
       surfaces.push_back({interaction.node.name(), set, open.count, open.angle});
+}
+
+/// Adds the first node of an interaction's surface whose partner on the other periodic side has another gap or normal.
+void add_uneven_period(const SceneInteraction& interaction, const Mesh& mesh, std::vector<UnevenPeriod>& periods) {
+  const SideSet* const set = find_set(mesh.side_sets, interaction.side_set);
+  if (interaction.is_pair() || mesh.ties.empty() || set == nullptr) return;
+  const std::set<int> surface = nodes_of(mesh, *set);
+  const auto obstacle = obstacles().make(interaction.node, static_cast<std::size_t>(mesh.dimension));
+  const auto gap_at = [&](int node) {
+    const Vec<3> x = node_place(mesh, node);
+    return obstacle->gap_and_normal({x[0], x[1], x[2]});
+  };
+  for (const Tie& tie : mesh.ties) {
+    if (tie.in_place || tie.masters.size() != 1 || surface.count(tie.node) == 0) continue;
+    const ObstacleGap own = gap_at(tie.node), other = gap_at(tie.masters.front());
+    double turn = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      turn = std::max(turn, std::abs(static_cast<double>(own.normal[i][0] - other.normal[i][0])));
+    const double gap = own.gap[0], partner_gap = other.gap[0];
+    if (std::abs(gap - partner_gap) <= 1e-3 * interaction.law->equilibrium_gap() && turn <= 1e-3) continue;
+    periods.push_back(
+        {interaction.node.name(), node_place(mesh, tie.node), node_place(mesh, tie.masters.front()), gap, partner_gap});
+    return;
+  }
 }
 
 }  // namespace
@@ -191,7 +223,10 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
   const std::vector<bool> held = held_nodes(scene, mesh);
   for (const BodyNumbers& body : numbers.bodies)
     facts.bending.push_back(body_bending(materials[body.material], mesh, held));
-  for (const SceneInteraction& interaction : interactions) add_open_surfaces(interaction, mesh, facts.open_surfaces);
+  for (const SceneInteraction& interaction : interactions) {
+    add_open_surfaces(interaction, mesh, facts.open_surfaces);
+    add_uneven_period(interaction, mesh, facts.uneven_periods);
+  }
   for (const BodyNumbers& body : numbers.bodies)
     facts.relaxation_times.push_back(shortest_relaxation(materials[body.material]));
   facts.numbers = std::move(numbers);

@@ -56,12 +56,13 @@ struct DensePoints {
   double equilibrium_gap = 0;  ///< [L0]
 };
 
-/// The linear cells of one body.
+/// The cells of one body that may be too stiff.
 struct BodyBending {
-  CellBending cells{};         ///< of Standard cells of a nearly incompressible body along all directions
-  double poissons_ratio = 0;   ///< at rest
-  bool is_volumetric = false;  ///< the cells are Standard, and the body is nearly incompressible
-  std::string stiff_cells{};   ///< type of linear cells that are no quadrilaterals or hexahedra; empty: none
+  CellBending cells{};          ///< of Standard cells of a nearly incompressible body along all directions
+  double poissons_ratio = 0;    ///< at rest
+  bool is_volumetric = false;   ///< the cells are Standard, and the body is nearly incompressible
+  std::string stiff_cells{};    ///< type of linear cells that are no quadrilaterals or hexahedra; empty: none
+  bool has_tetrahedra = false;  ///< there are quadratic tetrahedra, and they are Standard
 };
 
 /// A surface of two bodies with Smoothing Spline in space, with edges as SideGrid::OpenCreases.
@@ -72,6 +73,13 @@ struct OpenSurface {
   double angle = 0;  ///< the largest one between two faces
 };
 
+/// An obstacle that is another one at the two ends of a period of the mesh.
+struct UnevenPeriod {
+  std::string name{};               ///< of the interaction
+  Vec<3> place{}, partner{};        ///< of two nodes of one place [L0]
+  double gap = 0, partner_gap = 0;  ///< [L0]
+};
+
 struct SceneFacts {
   int dimension = 2;  ///< of the mesh
   CharacteristicNumbers numbers{};
@@ -79,6 +87,7 @@ struct SceneFacts {
   std::vector<SurfaceFacts> surfaces{};
   std::vector<DensePoints> dense_points{};
   std::vector<OpenSurface> open_surfaces{};
+  std::vector<UnevenPeriod> uneven_periods{};
   std::vector<Motion> motions{};
   bool loaded = false;  ///< there are loads
   bool moves = false;   ///< see Driving::moves(); or an obstacle is moved

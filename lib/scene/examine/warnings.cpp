@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "mesh/cell_place.hpp"
+
 namespace ixos {
 namespace {
 
@@ -74,6 +76,19 @@ Message spline_with_open_creases(const Facts& facts) {
       "(limit 30), so that the spline has kinks there: Newton's method may need many iterations; use smaller faces, or "
       "Smoothing \"Catmull-Rom\"",
       own.name, own.creases, own.side_set, own.angle * 180 / M_PI);
+}
+
+Message obstacle_of_another_period(const Facts& facts) {
+  if (facts.uneven_periods.empty()) return "";
+  const UnevenPeriod& own = facts.uneven_periods.front();
+  return fmt::format(
+      "Interactions/{}: the obstacle does not repeat with the mesh: at {}, on a periodic side, its gap is {:.4g} L0, "
+      "at "
+      "{}, the same place, {:.4g} L0, or its normal is another one; give both the same period, or take a plane along "
+      "the "
+      "period",
+      own.name, point_in_words(own.place, facts.dimension), own.gap, point_in_words(own.partner, facts.dimension),
+      own.partner_gap);
 }
 
 /// Beyond this, adhesion deforms the whole body like a liquid (the contact radius of Johnson, Kendall and Roberts
@@ -271,6 +286,21 @@ Message linear_simplices(const Facts& facts) {
   return "";
 }
 
+/// A twisted bar of such cells, elements-twist in docs/results/elements.md, shows what is wrong.
+Message quadratic_tetrahedra(const Facts& facts) {
+  constexpr double limit = 0.49;
+  for (std::size_t i = 0; i < facts.bending.size(); ++i) {
+    const BodyBending& own = facts.bending[i];
+    if (!own.has_tetrahedra || own.poissons_ratio < limit) continue;
+    return fmt::format(
+        "Materials/{}: Poisson's ratio is {:.6g} (limit {}) and the cells are quadratic tetrahedra of the Element "
+        "Formulation \"Standard\": their forces are some percent too large, their pressure is far too large, and both "
+        "grow towards 1/2; use \"Mean Dilatation\"",
+        facts.numbers.bodies[i].name, own.poissons_ratio, limit);
+  }
+  return "";
+}
+
 Message bond_that_never_forms(const Facts& facts) {
   return first_surface(facts, [](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
     if (!own.never_bonds) return Message();
@@ -329,6 +359,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"cohesive zone", cohesive_zone_against_faces},
     {"double integral", points_of_double_integral},
     {"coarse spline", spline_with_open_creases},
+    {"period", obstacle_of_another_period},
     {"wave and run", wave_crossing_against_run},
     {"wave and step", wave_crossing_against_step},
     {"gap and step", gap_crossing_against_step},
@@ -341,6 +372,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"bending", no_way_to_bend},
     {"locking", cells_that_lock},
     {"linear simplices", linear_simplices},
+    {"quadratic tetrahedra", quadratic_tetrahedra},
     {"friction of one law", friction_of_one_law},
     {"no friction", oblique_pull_without_friction},
 };

@@ -69,7 +69,8 @@ std::string cell_types(const LocalMesh& mesh) {
 std::string refinements_and_ties(const SceneNode& mesh) {
   std::string text;
   for (const SceneNode& own : mesh.sublist("Refine").sublists())
-    text += fmt::format("Refine {}: {} level(s)\n", own.name(), own.count("Levels"));
+    text +=
+        fmt::format("Refine {}: {} level{}\n", own.name(), own.count("Levels"), own.count("Levels") == 1 ? "" : "s");
   for (const auto& [list, what] : {std::pair("Ties", "Tie"), std::pair("Periodic", "Periodic sides")})
     for (const SceneNode& own : mesh.sublist(list).sublists())
       text += fmt::format("{} {}: the nodes of side set \"{}\" follow side set \"{}\"\n", what, own.name(),

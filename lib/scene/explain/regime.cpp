@@ -27,8 +27,12 @@ std::string of_flat(const SurfaceNumbers& surface) {
              "; it comes off as a whole, at about strength times area, whatever the work of adhesion is";
     case Regime::Brittle:
       return fmt::format(
-          "brittle: {}; a crack from a flaw or an edge runs, and work of adhesion and stiffness decide. A law with the "
-          "same work and a strength down to {:.3g} E0 gives about the same force on coarser faces",
+          "brittle: {}; from a flaw longer than the zone a crack runs: work of adhesion and stiffness decide, and a "
+          "law "
+          "with the same work and a strength down to {:.3g} E0 gives about the same force on coarser faces. Without "
+          "such "
+          "a flaw the force follows the strength: by a power of it where an edge concentrates the stress, else in "
+          "proportion",
           zone, least_strength(surface));
     case Regime::Between:
       break;

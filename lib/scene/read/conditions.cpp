@@ -56,7 +56,12 @@ void add_conditions(const SceneNode& conditions, const Histories& histories, Mod
     require_given(node, "Node Set", displacement || symmetry || type == "Point Force");
     require_given(node, "Side Set", type == "Traction");
     require_given(node, "Vector", !displacement && !symmetry);
-    if (symmetry) require_given(node, "History", false);
+    if (symmetry) {
+      require_given(node, "History", false);
+      if (node.text("Components") != "all")
+        throw InputError(node.path_of("Components") +
+                         ": a plane of symmetry has a normal of its own; leave Components out, or use Displacement");
+    }
     if (type != "Body Force" && type != "Gravity") require_given(node, "Block", false);
     if (displacement)
       add_displacement(node, histories, model);

@@ -73,7 +73,9 @@ std::string friction_in_words(const Friction& friction, const std::shared_ptr<co
   if (friction.type == FrictionType::Smoothed)
     text += fmt::format("; full above a slip speed of {:.6g} L0/T0", friction.slip_speed);
   else
-    text += fmt::format("; elastic slip up to {:.3g} L0", at_rest / threshold.friction().stiffness);
+    text += fmt::format(
+        "; elastic slip up to {:.3g} L0",
+        (friction.type == FrictionType::ConstantStress ? friction.stress : at_rest) / threshold.friction().stiffness);
   return text + "; what it stores is part of contact_energy, what it dissipates of dissipated_energy\n";
 }
 

@@ -139,7 +139,7 @@ void prepare(const SceneNode& node, int order, Mesh& mesh) {
 }
 
 void split_and_map(const SceneNode& node, int order, const std::vector<NamedRegion>& regions, Mesh& mesh) {
-  if (!regions.empty()) refine(mesh, regions, order);
+  if (!regions.empty()) at(node.path_of("Refine"), [&] { refine(mesh, regions, order); });
   map_nodes(node.sublist("Map"), mesh);
   place_bubbles(mesh);
   place_tied_nodes(mesh);

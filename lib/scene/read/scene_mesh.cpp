@@ -15,6 +15,7 @@
 #include "mesh/periodic_sides.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/soundness.hpp"
+#include "mesh/tied_nodes.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "parameters/validation.hpp"
 #include "scene/read/mesh_parts.hpp"
@@ -44,18 +45,25 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Ties the two side sets that each list of `pairs` names.
+void tie(const SceneNode& pairs, void (*ties)(Mesh&, const std::string&, const std::string&, double), Mesh& mesh) {
+  for (const SceneNode& own : pairs.sublists()) {
+    for (const char* name : {"Side Set", "Primary Side Set"})
+      if (own.text(name).empty()) throw InputError(fmt::format("{} is missing; give it a side set", own.path_of(name)));
+    at(own.path(), [&] {
+      ties(mesh, own.text("Side Set"), own.text("Primary Side Set"), own.number("Tolerance"));
+      resolved_ties(mesh);  // refuses loops
+    });
+  }
+}
+
 /// Checks the cells, and adds sets and ties.
 void finish(const SceneNode& node, Mesh& mesh) {
   at(node.path(), [&] { check_cells(mesh); });
   add_sets(node.sublist("Sets"), mesh);
-  const std::vector<SceneNode> ties = node.sublist("Ties").sublists();
-  for (const SceneNode& own : ties)
-    at(own.path(),
-       [&] { tie_surfaces(mesh, own.text("Side Set"), own.text("Primary Side Set"), own.number("Tolerance")); });
-  if (!ties.empty()) at(node.path_of("Ties"), [&] { check_cells(mesh); });  // nodes moved
-  for (const SceneNode& own : node.sublist("Periodic").sublists())
-    at(own.path(),
-       [&] { make_periodic(mesh, own.text("Side Set"), own.text("Primary Side Set"), own.number("Tolerance")); });
+  tie(node.sublist("Ties"), tie_surfaces, mesh);
+  if (!node.sublist("Ties").sublists().empty()) at(node.path_of("Ties"), [&] { check_cells(mesh); });  // nodes moved
+  tie(node.sublist("Periodic"), make_periodic, mesh);
 }
 
 /// Looks for the file of the mesh of one body, if it has one.

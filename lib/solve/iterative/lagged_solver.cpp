@@ -203,10 +203,14 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
                            const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                            const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     Status status;
-    if (options_.factorizes && shows_negative_curvature(error, b, *x)) status = refined(b, x, criteria);
-    if (status.solveStatus != Thyra::SOLVE_STATUS_CONVERGED)
-      throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
-    return status;
+    const bool indefinite = shows_negative_curvature(error, b, *x);
+    if (options_.factorizes && indefinite) status = refined(b, x, criteria);
+    if (status.solveStatus == Thyra::SOLVE_STATUS_CONVERGED) return status;
+    const std::string why = indefinite
+                                ? "the matrix is not positive definite, as conjugate gradients need it; a body that "
+                                  "buckles or snaps has such ones, which the Linear Solver Type Direct solves"
+                                : error.what();
+    throw std::runtime_error("the linear solver broke down: " + why);
   }
 
   /// Solves by iterative refinement with the preconditioner. Gives up if a round does not halve the residual.

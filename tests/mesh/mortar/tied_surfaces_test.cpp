@@ -130,10 +130,12 @@ TEST(TiedSurfacesTest, RefusesSurfacesThatDoNotMeet) {
   EXPECT_EQ(refusal(two_blocks(3, 0), "upper_bottom", "lower_top"), "");
   const auto expect = [](const Mesh& mesh, const std::string& secondary, const std::string& primary,
                          const std::string& words) { test::expect_contains(refusal(mesh, secondary, primary), words); };
-  expect(two_blocks(3, 0), "lower_top", "upper_bottom", "face 0 % of the side of \"lower_top\" at (3.5, 1)");
+  expect(
+      two_blocks(3, 0), "lower_top", "upper_bottom",
+      "no side of \"upper_bottom\" faces the side of \"lower_top\" at (3.5, 1): the middle of the nearest one, at (");
   expect(two_blocks(3, 0, 1.5), "upper_bottom", "lower_top", "face 50 % of the side");
   expect(two_blocks(3, 0.25), "upper_bottom", "lower_top", "is 0.25 L0 away");
-  expect(two_blocks(3, 0), "upper_top", "lower_top", "face 0 %");
+  expect(two_blocks(3, 0), "upper_top", "lower_top", "looks the same way");
   expect(two_blocks(3, 0), "upper_bottom", "upper_left", "share node");
   expect(two_blocks(3, 0), "upper_bottom", "lower_tip", "\"lower_top\"");
 }
@@ -144,7 +146,17 @@ TEST(TiedSurfacesTest, MovesNodesOntoTheOtherSurfaceWithinTheTolerance) {
   for (const Tie& tie : mesh.ties) EXPECT_NEAR(mesh.coordinates[static_cast<std::size_t>(tie.node) * 2 + 1], 1, 1e-15);
   Mesh far = two_blocks(3, 0.3);
   tie_surfaces(far, "upper_bottom", "lower_top", 0.31);
+  ASSERT_EQ(far.notes.size(), 1U);
+  EXPECT_EQ(far.notes.front(),
+            "the nodes of \"upper_bottom\" moved by up to 0.3 L0 onto \"lower_top\", which they follow");
   for (const Tie& tie : far.ties) EXPECT_NEAR(far.coordinates[static_cast<std::size_t>(tie.node) * 2 + 1], 1, 1e-15);
+}
+
+TEST(TiedSurfacesTest, ToleratesHalfASideAtMost) {
+  EXPECT_EQ(refusal(two_blocks(3, 0), "upper_bottom", "lower_top", 0.5), "");
+  test::expect_contains(
+      refusal(two_blocks(3, 0), "upper_bottom", "lower_top", 0.51),
+      "the Tolerance, 0.51 L0, is more than half of the side of \"upper_bottom\" at (0.5, 1), which is 1 L0");
 }
 
 TEST(TiedSurfacesTest, PrimaryNodesMayFollowOthersButNoSecondaryOnes) {

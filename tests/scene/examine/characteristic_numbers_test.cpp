@@ -71,6 +71,15 @@ TEST(CharacteristicNumbersTest, EachPartHasItsOwnCurvature) {
   EXPECT_NEAR(surfaces[2].radius, 2, 1e-12);
 }
 
+/// A map makes the sphere of radius 1000 L0 from a box: its nodes alone tell the radius.
+TEST(CharacteristicNumbersTest, TheRadiusOfAMappedSphereIsThatOfItsNodes) {
+  const Simulation sphere(test::scene_file("jkr.xml"), test::world());
+  EXPECT_NEAR(sphere.characteristic_numbers().surfaces[0].radius, 1000, 20);
+  EXPECT_NEAR(sphere.characteristic_numbers().surfaces[0].tabor, 1, 0.05);
+  const Simulation flat(test::scene_file("strip.xml"), test::world());
+  EXPECT_EQ(flat.characteristic_numbers().surfaces[0].radius, 0);
+}
+
 TEST(CharacteristicNumbersTest, TheTaborNumberOfASphereBeforeAFlatBody) {
   // 1.8848 at R = 500 and 0.8748 at R = 50 for nu = 0.2.
   for (const auto& [radius, tabor] : {std::pair{50.0, 0.8748}, std::pair{500.0, 1.8848}}) {

@@ -283,6 +283,18 @@ TEST(WarningsTest, OneLayerOfCells) {
         << element;
 }
 
+TEST(WarningsTest, ObstaclesOfAnotherPeriod) {
+  const std::string wall = "Interactions/Wall/";
+  const auto with = [&](const std::string& period) {
+    return Assignments{"Mesh/Periodic/Ends/Side Set=left", "Mesh/Periodic/Ends/Primary Side Set=right",
+                       wall + "Obstacle=Sine Wall",        wall + "Cutoff=1",
+                       wall + "Sine Wall/Amplitude=0.01",  wall + "Sine Wall/Period=" + period};
+  };
+  expect_warning("strip.xml", with("30"), "period",
+                 "Interactions/Wall: the obstacle does not repeat with the mesh: at (");
+  EXPECT_EQ(all_of("strip.xml", with("20")).find("period: "), std::string::npos);
+}
+
 bool warns_of_locking(const std::string& file, const Assignments& assignments) {
   return all_of(file, assignments).find("locking: ") != std::string::npos;
 }

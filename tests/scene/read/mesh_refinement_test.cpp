@@ -62,9 +62,44 @@ TEST(MeshRefinementTest, WhatCannotBeIsRefusedWithTheListAndTheValue) {
   const auto refusal = [](const std::string& refine) { return test::refusal([&] { made(refine); }); };
   test::expect_contains(refusal(list("Foot", count("Levels", 1))), "Mesh/Refine/Foot: nothing tells where");
   test::expect_contains(refusal(list("Foot", word("Side Set", "botom"))), "Mesh/Refine/Foot: ");
-  test::expect_contains(refusal(list("Foot", numbers("Lower", {90, 90}))), "no cell of the mesh meets the region");
+  test::expect_contains(refusal(list("Foot", numbers("Lower", {90, 90}))),
+                        "no cell of the mesh meets the region; the mesh spans (0, 0) to (4, 2)");
+  test::expect_contains(refusal(list("Foot", numbers("Lower", {2, 0}) + numbers("Upper", {1, 1}))),
+                        "Mesh/Refine/Foot: Lower 2 is above Upper 1 along x");
   test::expect_contains(refusal(list("Foot", count("Levels", 31) + numbers("Lower", {0, 0}))), "Mesh/Refine/Foot");
   test::expect_contains(refusal(list("Foot", word("Directions", "z") + numbers("Lower", {0, 0}))), "is no axis");
+}
+
+TEST(MeshRefinementTest, TiesNameTheirListInRefusals) {
+  const auto refusal = [](const std::string& ties) {
+    return test::refusal([&] { made(list("Corner", numbers("Upper", {0.5, 0.5})), ties); });
+  };
+  const auto periodic = [](const std::string& name, const std::string& side, const std::string& other) {
+    return list(name, word("Side Set", side) + word("Primary Side Set", other));
+  };
+  test::expect_contains(refusal(list("Periodic", list("P", word("Side Set", "left")))),
+                        "Mesh/Periodic/P/Primary Side Set is missing");
+  test::expect_contains(refusal(list("Ties", list("T", word("Primary Side Set", "left")))),
+                        "Mesh/Ties/T/Side Set is missing");
+  const std::string loop = list("Periodic", periodic("There", "left", "right") + periodic("Back", "right", "left"));
+  test::expect_contains(test::refusal([&] {
+                          made(list("All", numbers("Lower", {0, 0})), loop);
+                        }),
+                        "Mesh/Periodic/Back: node ");
+}
+
+TEST(MeshRefinementTest, HermiteSidesNeedNoCoarseMeshElsewhere) {
+  const auto with = [](const std::string& refine) {
+    return std::make_unique<Simulation>(
+        test::scene(scene(refine, list("Map", word("Y", "y + 1"))) +
+                    list("Interactions", list("Wall", word("Side Set", "bottom") + word("Contact Element", "Q1CH")))),
+        test::world());
+  };
+  EXPECT_NO_THROW(with(list("Top", numbers("Lower", {3.5, 1.9}))));
+  test::expect_contains(test::refusal([&] {
+                          with(list("Foot", numbers("Upper", {0.5, 0.1})));
+                        }),
+                        "which hanging nodes interrupt");
 }
 
 }  // namespace
