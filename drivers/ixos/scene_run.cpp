@@ -28,7 +28,8 @@ std::string restart_command(const Arguments& arguments, const std::string& check
 /// Tells of other settings where there is nothing to resume from.
 void offer(const std::vector<Remedy>& remedies) {
   for (const Remedy& remedy : remedies)
-    console::complain("ixos: {} may help: --set {}\n", remedy.what, printable(shell_word(remedy.assignment)));
+    console::complain("ixos: {}{} may help: --set {}\n", remedy.what,
+                      remedy.what.find(',') < std::string::npos ? "," : "", printable(shell_word(remedy.assignment)));
 }
 
 int exit_status_of_failure(const RunResult& result) { return result.status == RunStatus::Diverged ? 3 : 5; }

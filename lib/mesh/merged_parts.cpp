@@ -186,11 +186,11 @@ void refuse_faces_that_do_not_match(const Mesh& mesh, const std::vector<Side>& s
       for (auto found = tree.qbegin(index::intersects(tree_point(x))); found != tree.qend(); ++found) {
         const FreeSide& other = free[found->second];
         if (other.part == own.part || !lies_within(other, x, tolerance)) continue;
-        throw InputError(
-            fmt::format("the parts \"{}\" and \"{}\" touch near {}, but their faces do not match; give both the same "
-                        "divisions there, or let them stick by an interaction with a Primary Side Set",
-                        all[static_cast<std::size_t>(own.part)].name, all[static_cast<std::size_t>(other.part)].name,
-                        merging.in_words(own.nodes.front())));
+        throw InputError(fmt::format(
+            "the parts \"{}\" and \"{}\" touch near {}, but their faces do not match; give both the same "
+            "divisions there, tie them (Mesh/Ties), or let them stick by an interaction with a Primary Side Set",
+            all[static_cast<std::size_t>(own.part)].name, all[static_cast<std::size_t>(other.part)].name,
+            merging.in_words(own.nodes.front())));
       }
   }
 }

@@ -1,4 +1,7 @@
 // The rank's part of the mesh.
+#include <algorithm>
+#include <set>
+
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "live_simulation.hpp"
@@ -23,8 +26,18 @@ py::list blocks(const py::object& self) {
   return result;
 }
 
+/// A side set has the nodes of its sides.
 py::array nodes_of_set(const py::object& self, const std::string& name) {
   const LocalMesh& mesh = mesh_of(self);
+  const auto has = [&name](const std::vector<std::string>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (!has(mesh.node_set_names) && has(mesh.side_set_names)) {
+    std::set<int> nodes;
+    for (const LocalSide& side : mesh.side_sets[mesh.side_set(name)])
+      nodes.insert(side.nodes.begin(), side.nodes.end());
+    return taken(std::vector<int>(nodes.begin(), nodes.end()), {static_cast<py::ssize_t>(nodes.size())});
+  }
   const std::vector<int>& nodes = mesh.node_sets[mesh.node_set(name)];
   return view(nodes.data(), {static_cast<py::ssize_t>(nodes.size())}, self);
 }
@@ -66,7 +79,9 @@ void bind_local_mesh(py::module_& module, SimulationClass& simulation) {
           [](const py::object& self) { return view(mesh_of(self).original_ids.data(), {mesh_of(self).nodes()}, self); },
           "By local node, its number in the whole mesh: a view. Gather arrays of several ranks with it.")
       .def_property_readonly("blocks", &blocks)
-      .def("node_set", &nodes_of_set, py::arg("name"), "Returns the local node numbers of a set: a view.");
+      .def("node_set", &nodes_of_set, py::arg("name"),
+           "Returns the local node numbers of a node set: a view; or of the nodes of a side set, if no node set has "
+           "that name: ascending numbers.");
 }
 
 }  // namespace ixos::python

@@ -58,6 +58,8 @@ class MeshTest(FolderTest):
 
     def test_a_body_of_arrays_bears_its_load(self):
         simulation = pulled_block().simulation(mesh=block())
+        np.testing.assert_array_equal(simulation.mesh_nodes[simulation.node_set("right")], [2, 5])
+        np.testing.assert_array_equal(sorted(simulation.mesh_nodes[simulation.node_set("lower")]), [0, 1, 2])
         while simulation.time < 1 - 1e-12:
             self.assertTrue(simulation.step())
         np.testing.assert_allclose(simulation.reaction("right"), [8 * 0.04 / 4 * 2, 0], atol=1e-12)
