@@ -11,7 +11,10 @@
 #include "base/printable.hpp"
 #include "console.hpp"
 #include "ixos/scene_run.hpp"
+#include "scene/output/output_options.hpp"
 #include "scene/read/scene_units.hpp"
+#include "scene/read/stages.hpp"
+#include "scene/read/time_integrator_options.hpp"
 
 namespace ixos {
 namespace {
@@ -51,23 +54,26 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} days", seconds / 86400);
 }
 
-/// Returns the number of steps of the whole run, that of fixed steps if it has stages.
+/// Returns the number of steps of the whole run. Of a run with stages it is that of their fixed steps, or 0 if one of
+/// them chooses its steps itself.
 double planned_steps(const Simulation& simulation, const RunResult& result) {
   const double begin = simulation.step_control().initial_time;
   const Stages& stages = simulation.stages();
   if (!stages.any())
     return std::ceil((simulation.planned_end() - begin) / (result.end_time - begin) *
                      static_cast<double>(result.steps));
-  const std::vector<double> ends = stages.planned_ends();
   std::vector<double> begins;
   double steps = 0, from = begin;
-  for (const double end : ends) {
-    const Teuchos::ParameterList scene = complete_scene(stages.scene(begins));
-    const double step = scene.sublist("Time Integrator").sublist("Time Step Control").get<double>("Time Step");
-    steps += std::ceil((end - from) / step - 1e-9);
+  for (const double end : stages.planned_ends()) {
+    const Teuchos::ParameterList list = complete_scene(stages.scene(begins));
+    const SceneNode scene(list, "");
+    const TimeIntegratorOptions own =
+        read_time_integrator(scene.sublist("Time Integrator"), read_output(scene.sublist("Output")));
+    if (own.step_control.adaptive.on || own.scheme == "Central Difference") return 0;
+    steps += std::ceil((end - from) / own.step_control.time_step - 1e-9);  // a step that is too short is none
     begins.push_back(from = end);
   }
-  return steps;
+  return std::max(steps, static_cast<double>(result.steps));
 }
 
 /// Returns what the steps say of the whole run.
@@ -77,6 +83,7 @@ std::string forecast(const Simulation& simulation, const RunResult& result) {
                   result.end_time, duration(result.wall_seconds), duration(simulation.setup_seconds()));
   if (result.status == RunStatus::Completed) return steps + ": that is the whole run.";
   const double all = planned_steps(simulation, result);
+  if (all == 0) return steps + ". A stage chooses its steps itself, so their number to the end is unknown.";
   return fmt::format(
       "{}. At this rate the {:.0f} steps to t = {:.6g} T0 take {}. Steps take longer where a front moves or a "
       "body snaps.",
@@ -100,7 +107,8 @@ int try_scene(Simulation& simulation, const Arguments& arguments) {
   if (result.status == RunStatus::Completed || result.reason == tried)
     console::say("{}\n", forecast(simulation, result));
   else
-    console::say("The run stops after {} steps: {}\n", result.steps, printable(result.reason));
+    console::say("The run stops after {} step{}: {}\n", result.steps, result.steps == 1 ? "" : "s",
+                 printable(result.reason));
   warn(result.findings);
   return 0;
 }

@@ -1,5 +1,6 @@
 """One look for all pictures: colours, fonts, labels, the wall, saving."""
 import csv
+import math
 import pathlib
 import typing
 import warnings
@@ -166,16 +167,17 @@ def fits(figure, width):
 
 def fit_width(figure, width):
     """Gives the figure a width in inches, margins included. Text keeps its size."""
-    size, step = figure.get_size_inches(), 5 / 25.4
+    size, step, most = figure.get_size_inches(), 5 / 25.4, 4 * figure.get_size_inches()[0]
     if fits(figure, width):
         return
     least = width
-    while True:
+    while least < most:
         least += step
         figure.set_size_inches(size)
         if fits(figure, least):
-            raise ResultsError(f"a width of {25.4 * width:.0f} mm is too narrow for this figure, whose text keeps its size; "
-                               f"choose at least {25.4 * least:.0f} mm")
+            break
+    raise ResultsError(f"a width of {25.4 * width:.0f} mm is too narrow for this figure, whose text keeps its size; choose "
+                       f"at least {math.ceil(25.4 * least)} mm")
 
 
 def write_lines(figure, target):

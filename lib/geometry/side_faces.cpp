@@ -139,13 +139,13 @@ std::array<std::array<int, 2>, 4> edges_of(const SideGrid::Face& c) {
 
 bool is_linear(const std::vector<LocalSide>& sides) { return sides.empty() || sides.front().nodes.size() <= 4; }
 
-/// A node hangs in a surface if it follows several of its nodes: one that follows its periodic partner, or nodes of a
-/// surface to which the surface is tied, ends no side of another size.
+/// A node hangs in a surface if it follows several nodes, one of them of the surface: one that follows its periodic
+/// partner, or nodes of a surface to which the surface is tied, ends no side of another size.
 void refuse_hanging_nodes(const LocalMesh& mesh, const std::vector<int>& nodes, const std::string& name) {
   const std::set<int> own(nodes.begin(), nodes.end());
   const auto hangs = [&](int node) {
     return mesh.is_tied(node) && mesh.ties.end(node) - mesh.ties.begin(node) > 1 &&
-           std::all_of(mesh.ties.begin(node), mesh.ties.end(node),
+           std::any_of(mesh.ties.begin(node), mesh.ties.end(node),
                        [&](const NodeTies::Share& share) { return own.count(share.master) > 0; });
   };
   if (std::none_of(nodes.begin(), nodes.end(), hangs)) return;

@@ -213,6 +213,8 @@ void drop_inner_sides(Mesh& mesh, const std::vector<CellSide>& sorted) {
 }  // namespace
 
 void merge_parts(const std::vector<MeshPart>& parts, double tolerance, Mesh& mesh) {
+  if (!mesh.ties.empty())
+    throw InputError("nodes of the parts follow others already; merge the parts before they are tied");
   const std::vector<int> part_of_block = parts_of_blocks(mesh, parts);
   const std::vector<Side> sides = boundary_sides(mesh);
   Merging merging(mesh, tolerance);

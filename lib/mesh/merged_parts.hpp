@@ -10,8 +10,8 @@ namespace ixos {
 /// bonded. It stands where that of the first part stood. `parts`: those that joined_parts() joined. Sides that two
 /// cells have then leave the side sets, and sets without sides go; a note tells how many nodes were merged.
 ///
-/// Throws InputError if there are none, if the tolerance would make one node of two of one part, or if two parts touch
-/// with faces that do not match: then their nodes would be apart where the faces are not.
+/// Throws InputError if there are none, if nodes are tied already, if the tolerance would make one node of two of one
+/// part, or if two parts touch with faces that do not match: then their nodes would be apart where the faces are not.
 void merge_parts(const std::vector<MeshPart>& parts, double tolerance, Mesh& mesh);
 
 }  // namespace ixos

@@ -21,6 +21,7 @@
 #include "mesh/region.hpp"
 #include "mesh/selection.hpp"
 #include "mesh/side_set_nodes.hpp"
+#include "mesh/tied_nodes.hpp"
 #include "mesh/tree_point.hpp"
 
 namespace ixos {
@@ -56,17 +57,6 @@ void require_same_sides(const Mesh& mesh, const SideSet& secondary, const SideSe
   }
 }
 
-/// A node that follows others already must follow nodes of its own side: it is on an edge of other periodic sides, or
-/// hangs on a coarser cell.
-void refuse_other_masters(const Mesh& mesh, const Tie& tie, const std::set<int>& followers, const std::string& set) {
-  if (std::all_of(tie.masters.begin(), tie.masters.end(), [&](int master) { return followers.count(master) > 0; }))
-    return;
-  throw InputError(fmt::format(
-      "{}, of the side set \"{}\", follows nodes of another side already: that of a tied surface, or of other periodic "
-      "sides. A Primary Side Set may have such nodes",
-      node_in_words(mesh, tie.node), set));
-}
-
 /// The places of a body of revolution repeat along its axis only.
 void refuse_translation_across_the_axis(const Mesh& mesh, const Vec<3>& translation, double reach) {
   if (mesh.axisymmetric && std::abs(translation[0]) > reach)
@@ -76,9 +66,76 @@ void refuse_translation_across_the_axis(const Mesh& mesh, const Vec<3>& translat
                     std::abs(translation[0])));
 }
 
+/// Finds the partners of nodes. Several nodes of one place, of parts that only touch, have those beside which their
+/// neighbours' partners stand.
+class Partners {
+ public:
+  Partners(const Mesh& mesh, const SideSet& secondary, const SideSet& primary, const std::set<int>& leaders)
+      : mesh_(mesh), beside_(neighbours(mesh, secondary)), beside_leaders_(neighbours(mesh, primary)) {
+    std::vector<PlacedNode> placed;
+    placed.reserve(leaders.size());
+    for (const int node : leaders) placed.emplace_back(tree_point(node_place(mesh, node)), node);
+    tree_ = decltype(tree_)(placed);
+  }
+
+  /// Returns the nodes within reach of a place, the nearest first, or the nearest one alone if none is.
+  std::vector<int> candidates(const Vec<3>& place, double reach, double& off) const {
+    const TreePoint there = tree_point(place);
+    constexpr unsigned most = 16;
+    std::vector<PlacedNode> nearest;
+    tree_.query(bg::index::nearest(there, most), std::back_inserter(nearest));
+    std::sort(nearest.begin(), nearest.end(), [&](const PlacedNode& a, const PlacedNode& b) {
+      return std::pair(bg::distance(a.first, there), a.second) < std::pair(bg::distance(b.first, there), b.second);
+    });
+    off = bg::distance(nearest.front().first, there);
+    std::vector<int> found;
+    for (const PlacedNode& own : nearest)
+      if (found.empty() || bg::distance(own.first, nearest.front().first) <= place_tolerance_)
+        found.push_back(own.second);
+    if (off > reach) found.resize(1);
+    return found;
+  }
+
+  /// Returns which of the candidates is beside the partner of a neighbour of the node; the first if none is.
+  int choose(int node, const std::vector<int>& candidates, const std::map<int, int>& partner) const {
+    for (const int candidate : candidates)
+      for (const int neighbour : beside_.at(node))
+        if (const auto known = partner.find(neighbour);
+            known != partner.end() && beside_leaders_.at(candidate).count(known->second) > 0)
+          return candidate;
+    return candidates.front();
+  }
+
+ private:
+  using Neighbours = std::map<int, std::set<int>>;
+  static Neighbours neighbours(const Mesh& mesh, const SideSet& set) {
+    Neighbours result;
+    for (const Side& side : set.sides) {
+      const std::vector<int> nodes = nodes_of_side(mesh, side);
+      for (const int node : nodes) result[node].insert(nodes.begin(), nodes.end());
+    }
+    return result;
+  }
+
+  const Mesh& mesh_;
+  Neighbours beside_, beside_leaders_;
+  bg::index::rtree<PlacedNode, bg::index::rstar<16>> tree_;
+  double place_tolerance_ = place_tolerance(mesh_);
+};
+
+/// Returns what a node follows, itself if it is not tied.
+std::map<int, double> followed(const std::map<int, const Tie*>& ties, int node) {
+  const auto tie = ties.find(node);
+  if (tie == ties.end()) return {{node, 1.0}};
+  std::map<int, double> result;
+  for (std::size_t k = 0; k < tie->second->masters.size(); ++k)
+    result[tie->second->masters[k]] = tie->second->weights[k];
+  return result;
+}
+
 }  // namespace
 
-void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& primary, double tolerance) {
+PeriodicNodes make_periodic(Mesh& mesh, const std::string& secondary, const std::string& primary, double tolerance) {
   if (mesh.plain_nodes >= 0) throw InputError("the mesh has enriched sides; make sides periodic before it is enriched");
   const std::set<int> followers = nodes_of(mesh, side_set_named(mesh, secondary)),
                       leaders = nodes_of(mesh, side_set_named(mesh, primary));
@@ -91,41 +148,64 @@ void make_periodic(Mesh& mesh, const std::string& secondary, const std::string& 
         "the side set \"{}\" has {} nodes and \"{}\" {}; periodic sides have the same mesh and at least one side",
         secondary, followers.size(), primary, leaders.size()));
   const Vec<3> translation = middle_of(mesh, leaders) - middle_of(mesh, followers);
-  std::vector<PlacedNode> placed;
-  placed.reserve(leaders.size());
-  for (const int node : leaders) placed.emplace_back(tree_point(node_place(mesh, node)), node);
-  const bg::index::rtree<PlacedNode, bg::index::rstar<16>> tree(placed);
+  const Partners partners(mesh, side_set_named(mesh, secondary), side_set_named(mesh, primary), leaders);
   const double reach = tolerance > 0 ? tolerance : place_tolerance(mesh);
   refuse_translation_across_the_axis(mesh, translation, reach);
   std::set<int> tied;
+  for (const Tie& tie : mesh.ties) tied.insert(tie.node);
   std::map<int, int> partner, follower;  // of the nodes of the secondary, the primary sides
-  for (const Tie& tie : mesh.ties) {
-    if (followers.count(tie.node) == 0) continue;
-    refuse_other_masters(mesh, tie, followers, secondary);
-    tied.insert(tie.node);
-  }
+  std::map<int, std::vector<int>> open;  // nodes with several candidates
+  PeriodicNodes left;
+  const auto pair = [&](int node, int leader) {
+    partner[node] = leader;
+    if (const auto [other, is_first] = follower.insert({leader, node}); !is_first)
+      throw InputError(
+          fmt::format("{} and {} of the side set \"{}\" have the same partner in \"{}\"; the sides differ, or the "
+                      "tolerance, {:.3g} "
+                      "L0, is larger than them",
+                      node_in_words(mesh, other->second), node_in_words(mesh, node), secondary, primary, reach));
+    if (tied.count(node) > 0)
+      left.push_back({node, leader});
+    else
+      mesh.ties.push_back({node, {leader}, {1.0}, false});
+  };
   for (const int node : followers) {
     const Vec<3> x = node_place(mesh, node), wanted = x + translation;
-    const TreePoint there = tree_point(wanted);
-    std::vector<PlacedNode> nearest;
-    tree.query(bg::index::nearest(there, 1), std::back_inserter(nearest));
-    if (const double off = bg::distance(nearest.front().first, there); off > reach)
+    double off = 0;
+    std::vector<int> candidates = partners.candidates(wanted, reach, off);
+    if (off > reach)
       throw InputError(
           fmt::format("node {} of the side set \"{}\" at {} has no partner in \"{}\": the nearest node to {} is {:.3g} "
                       "L0 away, and the tolerance is {:.3g} L0. Periodic sides have the same mesh, and are not turned",
                       node + 1, secondary, point_in_words(x, mesh.dimension), primary,
                       point_in_words(wanted, mesh.dimension), off, reach));
-    partner[node] = nearest.front().second;
-    if (const auto [other, is_first] = follower.insert({nearest.front().second, node}); !is_first)
-      throw InputError(
-          fmt::format("{} and {} of the side set \"{}\" have the same partner in \"{}\": the tolerance, {:.3g} "
-                      "L0, is larger than the sides",
-                      node_in_words(mesh, other->second), node_in_words(mesh, node), secondary, primary, reach));
-    if (tied.count(node) == 0) mesh.ties.push_back({node, {nearest.front().second}, {1.0}, false});
+    if (candidates.size() == 1)
+      pair(node, candidates.front());
+    else
+      open[node] = std::move(candidates);
   }
+  for (const auto& [node, candidates] : open) pair(node, partners.choose(node, candidates, partner));
   require_same_sides(mesh, side_set_named(mesh, secondary), side_set_named(mesh, primary), partner);
   for (const std::set<int>& nodes : {followers, leaders})
     mesh.nodes_of_tied_sides.insert(mesh.nodes_of_tied_sides.end(), nodes.begin(), nodes.end());
+  return left;
+}
+
+void require_periodic(const Mesh& mesh, const PeriodicNodes& nodes) {
+  const std::vector<Tie> resolved = resolved_ties(mesh);
+  std::map<int, const Tie*> ties;
+  for (const Tie& tie : resolved) ties[tie.node] = &tie;
+  for (const auto& [node, partner] : nodes) {
+    std::map<int, double> difference = followed(ties, node);
+    for (const auto& [master, weight] : followed(ties, partner)) difference[master] -= weight;
+    for (const auto& [master, rest] : difference)
+      if (std::abs(rest) > 1e-10)
+        throw InputError(
+            fmt::format("{} follows other nodes already: it hangs on a coarser cell, or belongs to a tied surface or "
+                        "to other periodic "
+                        "sides; so it cannot move as its partner, {}, too",
+                        node_in_words(mesh, node), node_in_words(mesh, partner)));
+  }
 }
 
 }  // namespace ixos

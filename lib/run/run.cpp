@@ -242,6 +242,7 @@ void Run::begin_files() {
         "{} has checkpoints of an earlier run, up to step {}. The first checkpoint of this run replaces them.",
         options_.folder, earlier));
   files_.create();
+  files_.history().settle(measures_.jumps().released);
   watch_energy();
 }
 

@@ -17,7 +17,7 @@ class RunMeasures {
 
   /// Takes part in a step of length dt that has been accepted; `steps`: their number so far.
   void step(long steps, double dt);
-  /// Takes part in a recorded row of the present state, the first and the last one included.
+  /// Takes part in a recorded row of the present state, the first and the last one included, and settles it.
   void row(History& history);
   /// Counts on from the jumps of another simulation's part of the run.
   void go_on_from(const RunMeasures& before) { jumps_.go_on_from(before.jumps()); }

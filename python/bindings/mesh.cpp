@@ -108,8 +108,8 @@ void add_side_set(Mesh& mesh, const std::string& name, const py::object& sides, 
   mesh.side_sets.push_back(std::move(set));
 }
 
-/// `weights`: those of the nodes that the node follows, by number.
-void add_tie(Mesh& mesh, int node, const py::dict& weights) {
+/// `weights`: those of the nodes that the node follows, by number. `slack`: how far it may be off in its place [L0].
+void add_tie(Mesh& mesh, int node, const py::dict& weights, double slack) {
   const std::string place = fmt::format("ties: node {}", node);
   Tie tie{node, {}, {}};
   Vec<3> there{};
@@ -127,8 +127,25 @@ void add_tie(Mesh& mesh, int node, const py::dict& weights) {
     throw InputError(fmt::format("{}: the points are numbered from 0 to {}", place, mesh.nodes() - 1));
   if (!(std::abs(sum - 1) < 1e-12))
     throw InputError(fmt::format("{}: its weights sum to {:.15g}; the sum must be 1", place, sum));
-  tie.in_place = length(there - node_place(mesh, node)) <= place_tolerance(mesh);
+  tie.in_place = length(there - node_place(mesh, node)) <= slack;
   mesh.ties.push_back(std::move(tie));
+}
+
+/// Adds the ties, and what enrichment must know of them: it leaves edges between these nodes as they are.
+void add_ties(Mesh& mesh, const py::dict& ties) {
+  const double slack = ties.empty() ? 0 : place_tolerance(mesh);
+  try {
+    for (const auto& [node, weights] : ties) add_tie(mesh, node.cast<int>(), weights.cast<py::dict>(), slack);
+  } catch (const py::cast_error&) {
+    throw InputError("ties: a dictionary {node: {master: weight}} of whole numbers and numbers is needed");
+  }
+  resolved_ties(mesh);  // refuses nodes that are tied twice, or follow themselves
+  for (const Tie& tie : mesh.ties) {
+    mesh.nodes_of_tied_sides.push_back(tie.node);
+    mesh.nodes_of_tied_sides.insert(mesh.nodes_of_tied_sides.end(), tie.masters.begin(), tie.masters.end());
+    if (tie.in_place && tie.masters.size() == 2)
+      mesh.hanging_edges.push_back({tie.masters[0], tie.masters[1], tie.node});
+  }
 }
 
 py::dict ties(const Mesh& mesh) {
@@ -145,7 +162,7 @@ py::dict ties(const Mesh& mesh) {
 void warn_of_lost_ties(const Mesh& mesh) {
   if (mesh.ties.empty()) return;
   const std::string words = fmt::format(
-      "{} nodes of the mesh follow others, which the file does not say: whoever reads it has cells that are not "
+      "{} of the mesh's nodes follow others, which the file does not say: whoever reads it has cells that are not "
       "connected "
       "there",
       mesh.ties.size());
@@ -172,8 +189,7 @@ Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& 
       add_side_set(mesh, py::str(name), py::reinterpret_borrow<py::object>(sides), sorted);
   }
   check_arrays(mesh);
-  for (const auto& [node, weights] : ties) add_tie(mesh, node.cast<int>(), weights.cast<py::dict>());
-  resolved_ties(mesh);  // refuses nodes that are tied twice, or follow themselves
+  add_ties(mesh, ties);
   check_cells(mesh);
   return mesh;
 }
@@ -249,8 +265,6 @@ cells.)")
             for (const auto& [name, mesh] : parts) all.push_back({py::str(name), mesh.cast<const Mesh&>()});
             Mesh joined = joined_parts(all);
             if (!(merge >= 0)) throw InputError(fmt::format("merge: {} is no distance", merge));
-            if (merge > 0 && !joined.ties.empty())
-              throw InputError("merge: nodes of the parts follow others already; merge the parts before they are tied");
             if (merge > 0) merge_parts(all, merge, joined);
             return joined;
           },

@@ -40,7 +40,7 @@ class MeshTest(FolderTest):
         self.assertEqual(len(both.ties), 4)
         with self.assertRaisesRegex(ixos.InputError, "merge the parts before they are tied"):
             ixos.Mesh.joined({"one": mesh, "two": again}, merge=1e-6)
-        with self.assertWarnsRegex(UserWarning, "2 nodes of the mesh follow others"):
+        with self.assertWarnsRegex(UserWarning, "2 of the mesh's nodes follow others"):
             mesh.write(self.folder / "mesh.e")
         plain = pulled_block()
         simulation = plain.simulation(mesh=again)
@@ -52,7 +52,8 @@ class MeshTest(FolderTest):
         for ties, words in (({9: {0: 1.0}}, "ties: node 9: the points are numbered"),
                             ({1: {9: 1.0}}, "ties: node 1 follows node 9"),
                             ({1: {0: 0.5, 2: 0.4}}, "weights sum to 0.9; the sum must be 1"),
-                            ({0: {1: 1.0}, 1: {0: 1.0}}, "follows itself")):
+                            ({0: {1: 1.0}, 1: {0: 1.0}}, "follows itself"),
+                            ({4.5: {1: 1.0}}, "a dictionary"), ({4: [1, 2]}, "a dictionary")):
             with self.subTest(words), self.assertRaisesRegex(ixos.InputError, words):
                 block(ties=ties)
 

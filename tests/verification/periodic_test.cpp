@@ -12,6 +12,7 @@
 #include "mesh/periodic_sides.hpp"
 #include "mesh/selection.hpp"
 #include "mesh/splitting/refine.hpp"
+#include "mesh/tied_nodes.hpp"
 #include "model/conditions.hpp"
 #include "model/set_reactions.hpp"
 #include "model/state_report.hpp"
@@ -127,12 +128,14 @@ TEST(PeriodicTest, NodesThatFollowOthersAlreadyAreRefused) {
   const auto refusal = [](const std::string& first, const std::string& second) {
     return test::refusal([&] {
       Mesh mesh = bar(2, 4, 2);
-      make_periodic(mesh, first, second, 0);
-      make_periodic(mesh, "right", "left", 0);
+      PeriodicNodes left = make_periodic(mesh, first, second, 0);
+      const PeriodicNodes more = make_periodic(mesh, "right", "left", 0);
+      left.insert(left.end(), more.begin(), more.end());
+      require_periodic(mesh, left);
     });
   };
-  EXPECT_EQ(refusal("top", "bottom"), "");  // a node of both sides' corner follows along its own side
-  test::expect_contains(refusal("right", "left"), "of the side set \"right\", follows nodes of another side already");
+  EXPECT_EQ(refusal("top", "bottom"), "");  // a corner of both has one partner in the end
+  EXPECT_EQ(refusal("right", "left"), "");  // said twice
   BoxShape upper;
   upper.dimension = 2;
   upper.lower = {0, 1, 0};
@@ -140,8 +143,44 @@ TEST(PeriodicTest, NodesThatFollowOthersAlreadyAreRefused) {
   upper.divisions = {3, 2, 1};
   Mesh mesh = joined_parts({{"lower", bar(2, 4, 2)}, {"upper", box(upper)}});
   tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
-  test::expect_contains(test::refusal([&] { make_periodic(mesh, "upper_bottom", "upper_top", 0); }),
-                        "follows nodes of another side already");
+  const PeriodicNodes left = make_periodic(mesh, "upper_bottom", "upper_top", 0);
+  test::expect_contains(test::refusal([&] { require_periodic(mesh, left); }),
+                        "follows other nodes already: it hangs on a coarser cell, or belongs to a tied surface");
+}
+
+/// Nodes of both parts stand at the ends of the joint: each set has two of one place, or the list of each part one that
+/// follows the other part's.
+TEST(PeriodicTest, TiedPartsMayBePeriodicTogetherOrEachByItself) {
+  const auto joined = [] {
+    BoxShape upper;
+    upper.dimension = 2;
+    upper.lower = {0, 1, 0};
+    upper.lengths = {2, 1, 1};
+    upper.divisions = {3, 2, 1};
+    Mesh mesh = joined_parts({{"lower", bar(2, 4, 2)}, {"upper", box(upper)}});
+    for (const char* side : {"left", "right"}) {
+      SideSet both{side, side_set_named(mesh, std::string("lower_") + side).sides};
+      const std::vector<Side>& more = side_set_named(mesh, std::string("upper_") + side).sides;
+      both.sides.insert(both.sides.end(), more.begin(), more.end());
+      mesh.side_sets.push_back(std::move(both));
+    }
+    tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
+    return mesh;
+  };
+  Mesh together = joined(), apart = joined();
+  const PeriodicNodes all = make_periodic(together, "right", "left", 0);
+  EXPECT_NO_THROW(require_periodic(together, all));
+  PeriodicNodes own = make_periodic(apart, "upper_right", "upper_left", 0);
+  const PeriodicNodes more = make_periodic(apart, "lower_right", "lower_left", 0);
+  own.insert(own.end(), more.begin(), more.end());
+  EXPECT_FALSE(own.empty());
+  EXPECT_NO_THROW(require_periodic(apart, own));
+  const std::vector<Tie> one = resolved_ties(together), other = resolved_ties(apart);
+  ASSERT_EQ(one.size(), other.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    EXPECT_EQ(one[k].node, other[k].node);
+    EXPECT_EQ(one[k].masters, other[k].masters);
+  }
 }
 
 TEST(PeriodicTest, OneNodeHasOnePartner) {

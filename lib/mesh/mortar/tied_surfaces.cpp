@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -109,9 +110,12 @@ class SurfaceTie {
   /// Returns why nothing faces a side: the nearest primary side is far away, or looks the same way.
   std::string why_nothing_faces(const Facet& side) const {
     const auto distance = [&](const Facet& other) { return length(other.middle() - side.middle()); };
-    const Facet& nearest = *std::min_element(primary_.sides.begin(), primary_.sides.end(),
-                                             [&](const Facet& a, const Facet& b) { return distance(a) < distance(b); });
-    if (inner(nearest.normal(), side.normal()) > 0)
+    const auto looks_away = [&](const Facet& other) { return inner(other.normal(), side.normal()) > 0; };
+    const Facet& nearest =
+        *std::min_element(primary_.sides.begin(), primary_.sides.end(), [&](const Facet& a, const Facet& b) {
+          return std::pair(looks_away(a), distance(a)) < std::pair(looks_away(b), distance(b));
+        });
+    if (looks_away(nearest))
       return fmt::format("the nearest one, at {}, looks the same way",
                          point_in_words(nearest.middle(), mesh_.dimension));
     return fmt::format("the middle of the nearest one, at {}, is {:.3g} L0 away; the tolerance is {:.3g} L0",

@@ -98,36 +98,28 @@ double curvature_below(const Obstacle& obstacle, const Point& x, int dimension) 
   return bend == 0 ? 0 : 1 / (1 / bend - found.gap[0]);
 }
 
-/// Returns the curvature 1/R of the gap r^2/(2 R) + ... over the distance r from its least place, as the nodes near it
-/// have it: that of the surface and of the obstacle together. 0 if the surface is flat there, an edge, or too coarse.
-double curvature_of_gap(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle) {
-  constexpr double steep = 0.2, scatter = 0.25;  // of dgap/dr, of the curvature
-  struct Near {
-    double distance, gap;
-  };
-  std::vector<std::pair<double, Vec<3>>> found;
-  for (const int node : nodes_of(mesh, set)) {
-    if (mesh.plain_nodes >= 0 && node >= mesh.plain_nodes) continue;  // enrichment: on the straight sides
-    const Vec<3> x = node_place(mesh, node);
-    found.emplace_back(obstacle_gap(obstacle, x).gap[0], x);
-  }
-  const auto [least, apex] =
-      *std::min_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Near> around;
-  for (const auto& [gap, x] : found) {
-    const double way = length(x - apex), along = std::sqrt(std::max(0.0, way * way - (gap - least) * (gap - least)));
-    if (along > 0 && 2 * (gap - least) < steep * along) around.push_back({along, gap - least});
-  }
-  constexpr std::size_t most = 12;
-  std::sort(around.begin(), around.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
-  if (around.size() < 2) return 0;
-  around.resize(std::min(most, around.size()));
+/// Returns the curvature 1/R of a surface at a place whose outward normal is -`normal`, as its nodes around have it; 0
+/// if it is flat there, hollow, an edge, or too coarse. Hanging nodes and those of enrichment are on straight sides.
+double curvature_of(const Mesh& mesh, const SideSet& set, const Vec<3>& apex, const Vec<3>& normal) {
+  constexpr double steep = 0.2, least_turn = 0.01, scatter = 0.25;  // of dheight/dr, of the curvature
+  std::set<int> nodes = nodes_of(mesh, set);
+  for (const Tie& tie : mesh.ties) nodes.erase(tie.node);
   std::vector<double> curvatures;
-  for (const Near& own : around) curvatures.push_back(2 * own.gap / (own.distance * own.distance));
+  double farthest = 0;
+  for (const int node : nodes) {
+    if (mesh.plain_nodes >= 0 && node >= mesh.plain_nodes) continue;
+    const Vec<3> way = node_place(mesh, node) - apex;
+    const double height = inner(way, normal), along = std::sqrt(std::max(0.0, inner(way, way) - height * height));
+    if (!(along > 0) || 2 * std::abs(height) > steep * along) continue;
+    curvatures.push_back(2 * height / (along * along));
+    farthest = std::max(farthest, along);
+  }
+  if (curvatures.size() < 3) return 0;
   std::sort(curvatures.begin(), curvatures.end());
-  const double middle = curvatures[curvatures.size() / 2];
-  const bool is_round = middle * around.back().distance > 1e-3 && curvatures.front() > (1 - scatter) * middle &&
-                        curvatures.back() < (1 + scatter) * middle;
+  const std::size_t n = curvatures.size();
+  const double middle = curvatures[n / 2];
+  const bool is_round = middle * farthest > least_turn && curvatures[n / 10] > (1 - scatter) * middle &&
+                        curvatures[n - 1 - n / 10] < (1 + scatter) * middle;
   return is_round ? middle : 0;
 }
 
@@ -240,8 +232,8 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     double curvature = curvature_below(*obstacle, nearest, mesh.dimension);
     if (const std::string type = shape.text("Type"); type == "Disk" || type == "Ball")
       curvature += 2 / shape.sublist(type).number("Diameter");
-    else if (curvature == 0)
-      curvature = curvature_of_gap(mesh, *set, *obstacle);
+    else
+      curvature += curvature_of(mesh, *set, nearest, numbers.normal);
     if (curvature > 0) {
       numbers.radius = 1 / curvature;
       const double elastic = numbers.elastic_length * body.modulus / body.plane_modulus;

@@ -41,7 +41,9 @@ struct SurfaceNumbers {
   std::array<double, 3> normal{};  ///< out of the obstacle at the node of least gap
   double extent = 0;               ///< shorter side of the box around the set, across the normal; see extent_of() [L0]
   double thickness = 0;            ///< extent of that part along the normal [L0]
-  double radius = 0;             ///< R with 1/R = 1/R of a disk + 1/R of a curved obstacle; 0 if neither is known [L0]
+  /// R with 1/R = 1/R of a disk or a ball + 1/R of a curved obstacle, else as the nodes near the least gap have it; 0
+  /// if the surface is not round there [L0]
+  double radius = 0;
   double tabor = 0;              ///< (R W^2/(E*^2 r_eq^3))^(1/3); 0 if R is not known [-]
   double attraction_speed = 0;   ///< of a layer of that thickness that has lost W, sqrt(2 W/(rho thickness)) [L0/T0]
   double gap_crossing_time = 0;  ///< r_eq over that speed [T0]

@@ -148,6 +148,7 @@ void add_uneven_period(const SceneInteraction& interaction, const Mesh& mesh, st
     const Vec<3> x = node_place(mesh, node);
     return obstacle->gap_and_normal({x[0], x[1], x[2]});
   };
+  const double end = interaction.cutoff > 0 ? interaction.cutoff : interaction.law->range();
   for (const Tie& tie : mesh.ties) {
     if (tie.in_place || tie.masters.size() != 1 || surface.count(tie.node) == 0) continue;
     const ObstacleGap own = gap_at(tie.node), other = gap_at(tie.masters.front());
@@ -155,6 +156,7 @@ void add_uneven_period(const SceneInteraction& interaction, const Mesh& mesh, st
     for (std::size_t i = 0; i < 3; ++i)
       turn = std::max(turn, std::abs(static_cast<double>(own.normal[i][0] - other.normal[i][0])));
     const double gap = own.gap[0], partner_gap = other.gap[0];
+    if (gap >= end && partner_gap >= end) continue;  // nothing acts there
     if (std::abs(gap - partner_gap) <= 1e-3 * interaction.law->equilibrium_gap() && turn <= 1e-3) continue;
     periods.push_back(
         {interaction.node.name(), node_place(mesh, tie.node), node_place(mesh, tie.masters.front()), gap, partner_gap});

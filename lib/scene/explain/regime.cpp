@@ -55,7 +55,7 @@ double least_strength(const SurfaceNumbers& surface) {
 std::string regime_in_words(const SurfaceNumbers& surface) {
   if (!(surface.work > 0)) return "";
   if (surface.radius > 0) return of_round(surface);
-  // A round surface of a mesh that no generator made has no known radius.
+  // A surface that is neither flat nor round has no regime.
   const bool is_flat = surface.largest_gap - surface.least_gap < 0.02 * surface.extent;
   return is_flat ? of_flat(surface) : "";
 }

@@ -45,13 +45,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Ties the two side sets that each list of `pairs` names.
-void tie(const SceneNode& pairs, void (*ties)(Mesh&, const std::string&, const std::string&, double), Mesh& mesh) {
+/// Calls tie(secondary, primary, tolerance) for each list of `pairs`. Throws InputError with its path.
+template <class Tying>
+void for_each_pair(const SceneNode& pairs, const Mesh& mesh, const Tying& tie) {
   for (const SceneNode& own : pairs.sublists()) {
     for (const char* name : {"Side Set", "Primary Side Set"})
       if (own.text(name).empty()) throw InputError(fmt::format("{} is missing; give it a side set", own.path_of(name)));
     at(own.path(), [&] {
-      ties(mesh, own.text("Side Set"), own.text("Primary Side Set"), own.number("Tolerance"));
+      tie(own.text("Side Set"), own.text("Primary Side Set"), own.number("Tolerance"));
       resolved_ties(mesh);  // refuses loops
     });
   }
@@ -61,9 +62,17 @@ void tie(const SceneNode& pairs, void (*ties)(Mesh&, const std::string&, const s
 void finish(const SceneNode& node, Mesh& mesh) {
   at(node.path(), [&] { check_cells(mesh); });
   add_sets(node.sublist("Sets"), mesh);
-  tie(node.sublist("Ties"), tie_surfaces, mesh);
+  for_each_pair(node.sublist("Ties"), mesh, [&](const std::string& set, const std::string& primary, double tolerance) {
+    tie_surfaces(mesh, set, primary, tolerance);
+  });
   if (!node.sublist("Ties").sublists().empty()) at(node.path_of("Ties"), [&] { check_cells(mesh); });  // nodes moved
-  tie(node.sublist("Periodic"), make_periodic, mesh);
+  PeriodicNodes left;
+  for_each_pair(node.sublist("Periodic"), mesh,
+                [&](const std::string& set, const std::string& primary, double tolerance) {
+                  const PeriodicNodes own = make_periodic(mesh, set, primary, tolerance);
+                  left.insert(left.end(), own.begin(), own.end());
+                });
+  at(node.path_of("Periodic"), [&] { require_periodic(mesh, left); });
 }
 
 /// Looks for the file of the mesh of one body, if it has one.
@@ -132,7 +141,12 @@ Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given, bool bubbles) {
   });
   const SceneNode node(list, "Mesh");
   apply_order_and_map(node, node.count(cell_order), refined_regions(node.sublist("Refine")), given);
+  const int nodes = given.nodes();
   if (bubbles) add_bubbles(given);
+  if (given.nodes() != nodes && !given.ties.empty())
+    throw InputError(
+        "Mesh: its cells need nodes in triangles and insides, and it has tied nodes already; give it cells "
+        "with such nodes, or give Refine, Ties and Periodic in the scene");
   finish(node, given);
   return given;
 }

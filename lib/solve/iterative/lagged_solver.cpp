@@ -206,10 +206,11 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     const bool indefinite = shows_negative_curvature(error, b, *x);
     if (options_.factorizes && indefinite) status = refined(b, x, criteria);
     if (status.solveStatus == Thyra::SOLVE_STATUS_CONVERGED) return status;
-    const std::string why = indefinite
-                                ? "the matrix is not positive definite, as conjugate gradients need it; a body that "
-                                  "buckles or snaps has such ones, which the Linear Solver Type Direct solves"
-                                : error.what();
+    const std::string why =
+        indefinite
+            ? "conjugate gradients found the matrix or its preconditioner not positive definite, as where a body "
+              "buckles or snaps; the Linear Solver Type Direct solves with such matrices"
+            : error.what();
     throw std::runtime_error("the linear solver broke down: " + why);
   }
 

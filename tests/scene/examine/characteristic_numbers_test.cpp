@@ -76,6 +76,10 @@ TEST(CharacteristicNumbersTest, TheRadiusOfAMappedSphereIsThatOfItsNodes) {
   const Simulation sphere(test::scene_file("jkr.xml"), test::world());
   EXPECT_NEAR(sphere.characteristic_numbers().surfaces[0].radius, 1000, 20);
   EXPECT_NEAR(sphere.characteristic_numbers().surfaces[0].tabor, 1, 0.05);
+  const Simulation fine(
+      test::scene_file("jkr.xml", {"Mesh/Refine/Contact/Levels=4", "Mesh/Refine/Contact/Upper={10, 0.5}"}),
+      test::world());
+  EXPECT_NEAR(fine.characteristic_numbers().surfaces[0].radius, 1000, 20);
   const Simulation flat(test::scene_file("strip.xml"), test::world());
   EXPECT_EQ(flat.characteristic_numbers().surfaces[0].radius, 0);
 }
