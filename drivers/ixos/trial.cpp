@@ -54,8 +54,8 @@ std::string duration(double seconds) {
   return fmt::format("{:.1f} days", seconds / 86400);
 }
 
-/// Returns the number of steps of the whole run. Of a run with stages it is that of their fixed steps, or 0 if one of
-/// them chooses its steps itself.
+/// Returns the number of steps of the whole run: what the steps so far make likely, or the number of the stages' fixed
+/// steps; 0 if a stage chooses its steps itself.
 double planned_steps(const Simulation& simulation, const RunResult& result) {
   const double begin = simulation.step_control().initial_time;
   const Stages& stages = simulation.stages();

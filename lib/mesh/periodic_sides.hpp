@@ -14,8 +14,8 @@ using PeriodicNodes = std::vector<std::pair<int, int>>;
 /// Ties the nodes of the side set `secondary` to those of `primary` that stand elsewhere by one translation, the same
 /// for all: that between the middles of both sets' nodes. Nodes that are tied already stay so, and are returned with
 /// their partners for require_periodic(): those of other periodic sides at their edges, those where tied parts meet,
-/// and hanging ones. The reference places of both sides stay apart. Of several nodes of one place a node takes the one
-/// that is beside its neighbours' partners.
+/// and hanging ones. The reference places of both sides stay apart. Where several nodes stand at one place, the partner
+/// is the one beside the neighbours' partners.
 ///
 /// `tolerance`: how far a node may be off its partner's place [L0]; 0: place_tolerance() of the mesh. Throws InputError
 /// if a set does not exist, both have common nodes or other numbers of nodes, a node has no partner, whose place is

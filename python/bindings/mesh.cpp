@@ -135,7 +135,10 @@ void add_tie(Mesh& mesh, int node, const py::dict& weights, double slack) {
 void add_ties(Mesh& mesh, const py::dict& ties) {
   const double slack = ties.empty() ? 0 : place_tolerance(mesh);
   try {
-    for (const auto& [node, weights] : ties) add_tie(mesh, node.cast<int>(), weights.cast<py::dict>(), slack);
+    for (const auto& [node, weights] : ties) {
+      if (!py::isinstance<py::dict>(weights)) throw py::cast_error();
+      add_tie(mesh, node.cast<int>(), py::reinterpret_borrow<py::dict>(weights), slack);
+    }
   } catch (const py::cast_error&) {
     throw InputError("ties: a dictionary {node: {master: weight}} of whole numbers and numbers is needed");
   }
