@@ -61,11 +61,7 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
   ixos::on_first_rank(comm, [&] {
     ixos::write_mesh(mesh, arguments.mesh_file, complete.name());
     if (!mesh.ties.empty() && !arguments.quiet)
-      ixos::console::say(
-          "{} has {} nodes that follow others: they hang on coarser cells, or lie on periodic sides or tied surfaces. "
-          "The file does not "
-          "say so, and a program that reads it moves them freely.\n",
-          ixos::printable(arguments.mesh_file), mesh.ties.size());
+      ixos::console::say("{}: {}\n", ixos::printable(arguments.mesh_file), ixos::lost_ties(mesh));
   });
   return 0;
 }

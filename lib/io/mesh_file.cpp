@@ -50,6 +50,15 @@ void write_mesh(const Mesh& mesh, const std::string& path, const std::string& ti
     write_exodus_mesh(mesh, path, title);
 }
 
+std::string lost_ties(const Mesh& mesh) {
+  if (mesh.ties.empty()) return "";
+  return fmt::format(
+      "{} of the mesh's nodes follow others: they hang on coarser cells, or lie on periodic sides or tied surfaces. "
+      "The "
+      "file does not say so, and a program that reads it moves them freely.",
+      mesh.ties.size());
+}
+
 bool reads_file(const MeshEntry& entry) { return entry.parameters.isParameter("File"); }
 
 }  // namespace ixos

@@ -17,6 +17,9 @@ MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence,
 /// Writes a file of gmsh if the path ends in .msh, see write_gmsh_mesh(), or else of Exodus, see write_exodus_mesh().
 void write_mesh(const Mesh& mesh, const std::string& path, const std::string& title);
 
+/// Returns what a file of the mesh does not say, for the user: that nodes follow others; empty if none does.
+std::string lost_ties(const Mesh& mesh);
+
 /// Returns whether the entry reads a file.
 bool reads_file(const MeshEntry& entry);
 

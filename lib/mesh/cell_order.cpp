@@ -75,6 +75,11 @@ void raise_order(Mesh& mesh, bool bubbles) {
   if (std::all_of(mesh.blocks.begin(), mesh.blocks.end(),
                   [&](const ElementBlock& block) { return block.type == raised(block); }))
     return;
+  if (!mesh.ties.empty())
+    throw InputError(
+        "the cells need more nodes, and the mesh has tied nodes already; give it cells with these nodes, or tie it in "
+        "the "
+        "scene (Refine, Ties, Periodic)");
   const auto of_sides = sets_of_sides(mesh);
   const int before = mesh.nodes();
   Middles middles(mesh);

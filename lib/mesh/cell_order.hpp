@@ -11,7 +11,7 @@ namespace ixos {
 /// have beyond Tri6, where the cell's own map puts them. The new nodes of linear cells stand at the mean of their
 /// corners, so the body keeps its shape. Side sets keep their sides. A node set that has the nodes of the side set of
 /// its name keeps having them; another one gets the middles of the edges and faces whose corners it all holds. Throws
-/// InputError if the mesh is enriched.
+/// InputError if the mesh is enriched, or would get nodes although it has ties.
 void raise_order(Mesh& mesh, bool bubbles = false);
 
 /// Does that with the quadratic cells of a mesh alone.

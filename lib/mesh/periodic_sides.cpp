@@ -70,29 +70,28 @@ void refuse_translation_across_the_axis(const Mesh& mesh, const Vec<3>& translat
 /// neighbours' partners stand.
 class Partners {
  public:
-  Partners(const Mesh& mesh, const SideSet& secondary, const SideSet& primary, const std::set<int>& leaders)
-      : mesh_(mesh), beside_(neighbours(mesh, secondary)), beside_leaders_(neighbours(mesh, primary)) {
+  /// Nodes no farther apart than `slack` stand at one place [L0].
+  Partners(const Mesh& mesh, const SideSet& secondary, const SideSet& primary, double slack)
+      : beside_(neighbours(mesh, secondary)), beside_leaders_(neighbours(mesh, primary)), slack_(slack) {
     std::vector<PlacedNode> placed;
-    placed.reserve(leaders.size());
-    for (const int node : leaders) placed.emplace_back(tree_point(node_place(mesh, node)), node);
+    placed.reserve(beside_leaders_.size());
+    for (const auto& entry : beside_leaders_)
+      placed.emplace_back(tree_point(node_place(mesh, entry.first)), entry.first);
     tree_ = decltype(tree_)(placed);
   }
 
-  /// Returns the nodes within reach of a place, the nearest first, or the nearest one alone if none is.
-  std::vector<int> candidates(const Vec<3>& place, double reach, double& off) const {
+  /// Returns the primary node nearest to a place, and those that stand where it does.
+  std::vector<int> nearest(const Vec<3>& place) const {
     const TreePoint there = tree_point(place);
     constexpr unsigned most = 16;
-    std::vector<PlacedNode> nearest;
-    tree_.query(bg::index::nearest(there, most), std::back_inserter(nearest));
-    std::sort(nearest.begin(), nearest.end(), [&](const PlacedNode& a, const PlacedNode& b) {
+    std::vector<PlacedNode> near;
+    tree_.query(bg::index::nearest(there, most), std::back_inserter(near));
+    std::sort(near.begin(), near.end(), [&](const PlacedNode& a, const PlacedNode& b) {
       return std::pair(bg::distance(a.first, there), a.second) < std::pair(bg::distance(b.first, there), b.second);
     });
-    off = bg::distance(nearest.front().first, there);
     std::vector<int> found;
-    for (const PlacedNode& own : nearest)
-      if (found.empty() || bg::distance(own.first, nearest.front().first) <= place_tolerance_)
-        found.push_back(own.second);
-    if (off > reach) found.resize(1);
+    for (const PlacedNode& own : near)
+      if (bg::distance(own.first, near.front().first) <= slack_) found.push_back(own.second);
     return found;
   }
 
@@ -117,10 +116,9 @@ class Partners {
     return result;
   }
 
-  const Mesh& mesh_;
   Neighbours beside_, beside_leaders_;
+  double slack_;
   bg::index::rtree<PlacedNode, bg::index::rstar<16>> tree_;
-  double place_tolerance_ = place_tolerance(mesh_);
 };
 
 /// Returns what a node follows, itself if it is not tied.
@@ -148,8 +146,8 @@ PeriodicNodes make_periodic(Mesh& mesh, const std::string& secondary, const std:
         "the side set \"{}\" has {} nodes and \"{}\" {}; periodic sides have the same mesh and at least one side",
         secondary, followers.size(), primary, leaders.size()));
   const Vec<3> translation = middle_of(mesh, leaders) - middle_of(mesh, followers);
-  const Partners partners(mesh, side_set_named(mesh, secondary), side_set_named(mesh, primary), leaders);
-  const double reach = tolerance > 0 ? tolerance : place_tolerance(mesh);
+  const double slack = place_tolerance(mesh), reach = tolerance > 0 ? tolerance : slack;
+  const Partners partners(mesh, side_set_named(mesh, secondary), side_set_named(mesh, primary), slack);
   refuse_translation_across_the_axis(mesh, translation, reach);
   std::set<int> tied;
   for (const Tie& tie : mesh.ties) tied.insert(tie.node);
@@ -161,8 +159,7 @@ PeriodicNodes make_periodic(Mesh& mesh, const std::string& secondary, const std:
     if (const auto [other, is_first] = follower.insert({leader, node}); !is_first)
       throw InputError(
           fmt::format("{} and {} of the side set \"{}\" have the same partner in \"{}\"; the sides differ, or the "
-                      "tolerance, {:.3g} "
-                      "L0, is larger than them",
+                      "tolerance, {:.3g} L0, is larger than them",
                       node_in_words(mesh, other->second), node_in_words(mesh, node), secondary, primary, reach));
     if (tied.count(node) > 0)
       left.push_back({node, leader});
@@ -171,9 +168,8 @@ PeriodicNodes make_periodic(Mesh& mesh, const std::string& secondary, const std:
   };
   for (const int node : followers) {
     const Vec<3> x = node_place(mesh, node), wanted = x + translation;
-    double off = 0;
-    std::vector<int> candidates = partners.candidates(wanted, reach, off);
-    if (off > reach)
+    std::vector<int> candidates = partners.nearest(wanted);
+    if (const double off = length(node_place(mesh, candidates.front()) - wanted); off > reach)
       throw InputError(
           fmt::format("node {} of the side set \"{}\" at {} has no partner in \"{}\": the nearest node to {} is {:.3g} "
                       "L0 away, and the tolerance is {:.3g} L0. Periodic sides have the same mesh, and are not turned",
@@ -192,6 +188,7 @@ PeriodicNodes make_periodic(Mesh& mesh, const std::string& secondary, const std:
 }
 
 void require_periodic(const Mesh& mesh, const PeriodicNodes& nodes) {
+  if (nodes.empty()) return;
   const std::vector<Tie> resolved = resolved_ties(mesh);
   std::map<int, const Tie*> ties;
   for (const Tie& tie : resolved) ties[tie.node] = &tie;
@@ -202,8 +199,7 @@ void require_periodic(const Mesh& mesh, const PeriodicNodes& nodes) {
       if (std::abs(rest) > 1e-10)
         throw InputError(
             fmt::format("{} follows other nodes already: it hangs on a coarser cell, or belongs to a tied surface or "
-                        "to other periodic "
-                        "sides; so it cannot move as its partner, {}, too",
+                        "to other periodic sides; so it cannot move as its partner, {}, too",
                         node_in_words(mesh, node), node_in_words(mesh, partner)));
   }
 }

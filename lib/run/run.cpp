@@ -242,7 +242,6 @@ void Run::begin_files() {
         "{} has checkpoints of an earlier run, up to step {}. The first checkpoint of this run replaces them.",
         options_.folder, earlier));
   files_.create();
-  files_.history().settle(measures_.jumps().released);
   watch_energy();
 }
 
@@ -251,10 +250,12 @@ void Run::go_on() {
   Restart restart(simulation_, options_.restart);
   restart.load([this](Record& record) { transfer(record); });
   ++result_.restarts;
-  if (restart.is_in(options_.folder))
+  if (restart.is_in(options_.folder)) {
     resume_files();
-  else
+  } else {
     begin_files();
+    files_.history().settle(measures_.jumps().released);
+  }
   log(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
   for (const std::string& note : restart.notes()) log(note);
   warn_of_jump();

@@ -84,15 +84,15 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
                      {"released", result.jumps.released},
                      {"largest", {{"released", largest.released}, {"from", largest.from}, {"to", largest.to}}}};
   }
-  if (simulation.stages().any()) json["stages"] = nlohmann::ordered_json::array();
-  for (const StageEnd& stage : result.stages)
-    json["stages"].push_back(
-        {{"name", stage.name}, {"end_time", stage.time}, {"steps", stage.steps}, {"reason", stage.reason}});
-  if (simulation.stages().any() && (result.status == RunStatus::Completed || result.status == RunStatus::Stopped))
-    json["stages"].push_back({{"name", simulation.stages().name(simulation.stage())},
-                              {"end_time", result.end_time},
-                              {"steps", result.steps},
-                              {"reason", result.reason}});
+  if (simulation.stages().any()) {
+    std::vector<StageEnd> stages = result.stages;
+    if (result.status == RunStatus::Completed || result.status == RunStatus::Stopped)
+      stages.push_back({simulation.stages().name(simulation.stage()), result.end_time, result.steps, result.reason});
+    json["stages"] = nlohmann::ordered_json::array();
+    for (const StageEnd& stage : stages)
+      json["stages"].push_back(
+          {{"name", stage.name}, {"end_time", stage.time}, {"steps", stage.steps}, {"reason", stage.reason}});
+  }
   json["warnings"] = nlohmann::ordered_json::array();
   for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings, &result.findings})
     for (const Warning& warning : *warnings)

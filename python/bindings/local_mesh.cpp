@@ -26,7 +26,7 @@ py::list blocks(const py::object& self) {
   return result;
 }
 
-/// A side set has the nodes of its sides.
+/// A side set has the nodes of its sides, but for those that stand for derivatives.
 py::array nodes_of_set(const py::object& self, const std::string& name) {
   const LocalMesh& mesh = mesh_of(self);
   const auto has = [&name](const std::vector<std::string>& names) {
@@ -35,7 +35,8 @@ py::array nodes_of_set(const py::object& self, const std::string& name) {
   if (!has(mesh.node_set_names) && has(mesh.side_set_names)) {
     std::set<int> nodes;
     for (const LocalSide& side : mesh.side_sets[mesh.side_set(name)])
-      nodes.insert(side.nodes.begin(), side.nodes.end());
+      for (const int node : side.nodes)
+        if (!mesh.is_derivative(static_cast<std::size_t>(node))) nodes.insert(node);
     return taken(std::vector<int>(nodes.begin(), nodes.end()), {static_cast<py::ssize_t>(nodes.size())});
   }
   const std::vector<int>& nodes = mesh.node_sets[mesh.node_set(name)];

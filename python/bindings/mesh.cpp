@@ -161,17 +161,6 @@ py::dict ties(const Mesh& mesh) {
   return result;
 }
 
-/// Files of meshes have no place for ties.
-void warn_of_lost_ties(const Mesh& mesh) {
-  if (mesh.ties.empty()) return;
-  const std::string words = fmt::format(
-      "{} of the mesh's nodes follow others, which the file does not say: whoever reads it has cells that are not "
-      "connected "
-      "there",
-      mesh.ties.size());
-  if (PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) throw py::error_already_set();
-}
-
 Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& node_sets, const py::dict& side_sets,
                const py::dict& ties) {
   const Numbers points = real_numbers(given, "points");
@@ -289,7 +278,8 @@ cells.)")
             if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(path, code)))
               throw InputError(path.string() + " exists; choose another name, or replace it with overwrite=True");
             write_mesh(mesh, path.string(), title);
-            warn_of_lost_ties(mesh);
+            const std::string words = lost_ties(mesh);
+            if (!words.empty() && PyErr_WarnEx(PyExc_UserWarning, words.c_str(), 1) != 0) throw py::error_already_set();
           },
           py::arg("path"), py::arg("title") = "mesh", py::arg("overwrite") = false,
           "Writes an Exodus file, which a scene names as Mesh/Exodus/File; if the path ends in .msh, one of gmsh, "

@@ -48,6 +48,17 @@ class MeshTest(FolderTest):
             self.assertTrue(simulation.step())
         np.testing.assert_allclose(simulation.reaction("right"), [8 * 0.04 / 4 * 2, 0], atol=1e-12)
 
+    def test_a_tied_mesh_gets_no_further_nodes(self):
+        tied = pulled_block().set("Mesh/Refine/Corner/Upper={0.1, 0.1}").mesh_arrays()
+        with self.assertRaisesRegex(ixos.InputError, "Mesh/Cell Order: .* the mesh has tied nodes already"):
+            pulled_block().set("Mesh/Cell Order=2").simulation(mesh=tied)
+
+    def test_the_nodes_of_a_side_set_are_points_of_the_body(self):
+        scene = pulled_block().set("Interactions/Wall/Side Set=lower", "Interactions/Wall/Contact Element=Q1CH")
+        simulation = scene.simulation(mesh=block(points=POINTS + [0, 1]))
+        self.assertGreater(len(simulation.points), len(POINTS))
+        np.testing.assert_array_equal(sorted(simulation.mesh_nodes[simulation.node_set("lower")]), [0, 1, 2])
+
     def test_ties_that_do_not_fit_are_refused(self):
         for ties, words in (({9: {0: 1.0}}, "ties: node 9: the points are numbered"),
                             ({1: {9: 1.0}}, "ties: node 1 follows node 9"),

@@ -8,6 +8,7 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -24,8 +25,8 @@ class Fit(unittest.TestCase):
         program = re.search(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)[1]
         with tempfile.TemporaryDirectory() as folder:
             (pathlib.Path(folder) / "xml").symlink_to(tutorial.ROOT / "xml")
-            paths = os.pathsep.join(tutorial.sys.path)
-            done = subprocess.run([tutorial.sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
+            paths = os.pathsep.join(sys.path)
+            done = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
                                   env={**tutorial.recipe.ENVIRONMENT, "PYTHONPATH": paths}, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         found = {name: (float(value), float(error)) for name, value, error in

@@ -36,6 +36,16 @@ Mesh bar(int dimension, int along, double length) {
   return box(shape);
 }
 
+/// Two bars of length 2, one upon the other, with 4 and 3 cells along: the parts "lower" and "upper".
+Mesh stacked_bars() {
+  BoxShape upper;
+  upper.dimension = 2;
+  upper.lower = {0, 1, 0};
+  upper.lengths = {2, 1, 1};
+  upper.divisions = {3, 2, 1};
+  return joined_parts({{"lower", bar(2, 4, 2)}, {"upper", box(upper)}});
+}
+
 /// Refines below, away from the left and right, and in space from front to back.
 void refine_middle(Mesh& mesh) {
   RefinedRegion middle;
@@ -124,24 +134,22 @@ TEST(PeriodicTest, SidesThatDoNotFitAreRefusedWithNamesAndPlaces) {
                         "has no partner in \"left\"");
 }
 
+PeriodicNodes both(PeriodicNodes all, const PeriodicNodes& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
 TEST(PeriodicTest, NodesThatFollowOthersAlreadyAreRefused) {
   const auto refusal = [](const std::string& first, const std::string& second) {
     return test::refusal([&] {
       Mesh mesh = bar(2, 4, 2);
-      PeriodicNodes left = make_periodic(mesh, first, second, 0);
-      const PeriodicNodes more = make_periodic(mesh, "right", "left", 0);
-      left.insert(left.end(), more.begin(), more.end());
-      require_periodic(mesh, left);
+      const PeriodicNodes own = make_periodic(mesh, first, second, 0), more = make_periodic(mesh, "right", "left", 0);
+      require_periodic(mesh, both(own, more));
     });
   };
   EXPECT_EQ(refusal("top", "bottom"), "");  // a corner of both has one partner in the end
   EXPECT_EQ(refusal("right", "left"), "");  // said twice
-  BoxShape upper;
-  upper.dimension = 2;
-  upper.lower = {0, 1, 0};
-  upper.lengths = {2, 1, 1};
-  upper.divisions = {3, 2, 1};
-  Mesh mesh = joined_parts({{"lower", bar(2, 4, 2)}, {"upper", box(upper)}});
+  Mesh mesh = stacked_bars();
   tie_surfaces(mesh, "upper_bottom", "lower_top", 0);
   const PeriodicNodes left = make_periodic(mesh, "upper_bottom", "upper_top", 0);
   test::expect_contains(test::refusal([&] { require_periodic(mesh, left); }),
@@ -152,12 +160,7 @@ TEST(PeriodicTest, NodesThatFollowOthersAlreadyAreRefused) {
 /// follows the other part's.
 TEST(PeriodicTest, TiedPartsMayBePeriodicTogetherOrEachByItself) {
   const auto joined = [] {
-    BoxShape upper;
-    upper.dimension = 2;
-    upper.lower = {0, 1, 0};
-    upper.lengths = {2, 1, 1};
-    upper.divisions = {3, 2, 1};
-    Mesh mesh = joined_parts({{"lower", bar(2, 4, 2)}, {"upper", box(upper)}});
+    Mesh mesh = stacked_bars();
     for (const char* side : {"left", "right"}) {
       SideSet both{side, side_set_named(mesh, std::string("lower_") + side).sides};
       const std::vector<Side>& more = side_set_named(mesh, std::string("upper_") + side).sides;
@@ -170,11 +173,10 @@ TEST(PeriodicTest, TiedPartsMayBePeriodicTogetherOrEachByItself) {
   Mesh together = joined(), apart = joined();
   const PeriodicNodes all = make_periodic(together, "right", "left", 0);
   EXPECT_NO_THROW(require_periodic(together, all));
-  PeriodicNodes own = make_periodic(apart, "upper_right", "upper_left", 0);
-  const PeriodicNodes more = make_periodic(apart, "lower_right", "lower_left", 0);
-  own.insert(own.end(), more.begin(), more.end());
-  EXPECT_FALSE(own.empty());
-  EXPECT_NO_THROW(require_periodic(apart, own));
+  const PeriodicNodes own = make_periodic(apart, "upper_right", "upper_left", 0),
+                      more = make_periodic(apart, "lower_right", "lower_left", 0);
+  EXPECT_FALSE(both(own, more).empty());
+  EXPECT_NO_THROW(require_periodic(apart, both(own, more)));
   const std::vector<Tie> one = resolved_ties(together), other = resolved_ties(apart);
   ASSERT_EQ(one.size(), other.size());
   for (std::size_t k = 0; k < one.size(); ++k) {

@@ -156,7 +156,7 @@ class SurfaceTie {
   /// A node on the axis stays there only with nodes that do.
   void refuse_leaving_the_axis() const {
     if (!mesh_.axisymmetric) return;
-    const auto is_off = [this](int node) { return node_place(mesh_, node)[0] > place_tolerance(mesh_); };
+    const auto is_off = [this, slack = place_tolerance(mesh_)](int node) { return node_place(mesh_, node)[0] > slack; };
     for (const Tie& tie : mesh_.ties)
       if (secondary_.nodes.count(tie.node) > 0 && !is_off(tie.node) &&
           std::any_of(tie.masters.begin(), tie.masters.end(), is_off))

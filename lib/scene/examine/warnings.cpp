@@ -83,10 +83,8 @@ Message obstacle_of_another_period(const Facts& facts) {
   const UnevenPeriod& own = facts.uneven_periods.front();
   return fmt::format(
       "Interactions/{}: the obstacle does not repeat with the mesh: at {}, on a periodic side, its gap is {:.4g} L0, "
-      "at "
-      "{}, the same place, {:.4g} L0, or its normal is another one; give both the same period, or take a plane along "
-      "the "
-      "period",
+      "at {}, the same place, {:.4g} L0, or its normal is another one; give both the same period, or take a plane "
+      "along the period",
       own.name, point_in_words(own.place, facts.dimension), own.gap, point_in_words(own.partner, facts.dimension),
       own.partner_gap);
 }

@@ -28,11 +28,9 @@ std::string of_flat(const SurfaceNumbers& surface) {
     case Regime::Brittle:
       return fmt::format(
           "brittle: {}; from a flaw longer than the zone a crack runs: work of adhesion and stiffness decide, and a "
-          "law "
-          "with the same work and a strength down to {:.3g} E0 gives about the same force on coarser faces. Without "
-          "such "
-          "a flaw the force follows the strength: by a power of it where an edge concentrates the stress, else in "
-          "proportion",
+          "law with the same work and a strength down to {:.3g} E0 gives about the same force on coarser faces. "
+          "Without such a flaw the force follows the strength: by a power of it where an edge concentrates the stress, "
+          "else in proportion",
           zone, least_strength(surface));
     case Regime::Between:
       break;

@@ -59,8 +59,9 @@ void add_conditions(const SceneNode& conditions, const Histories& histories, Mod
     if (symmetry) {
       require_given(node, "History", false);
       if (node.text("Components") != "all")
-        throw InputError(node.path_of("Components") +
-                         ": a plane of symmetry has a normal of its own; leave Components out, or use Displacement");
+        throw InputError(
+            node.path_of("Components") +
+            ": a Symmetry holds its nodes along the normal of their plane; leave Components out, or use Displacement");
     }
     if (type != "Body Force" && type != "Gravity") require_given(node, "Block", false);
     if (displacement)

@@ -130,12 +130,7 @@ const Catalogue<MeshEntry>& part_meshes() {
 namespace {
 
 void prepare(const SceneNode& node, int order, Mesh& mesh) {
-  const int nodes = mesh.nodes();
-  if (order == 2) raise_order(mesh);
-  if (mesh.nodes() != nodes && !mesh.ties.empty())
-    throw InputError(node.path_of("Cell Order") +
-                     ": the mesh has tied nodes already; give it quadratic cells, or give Refine, Ties and Periodic in "
-                     "the scene");
+  if (order == 2) at(node.path_of("Cell Order"), [&] { raise_order(mesh); });
   at(node.path(), [&] {
     require_one_order(mesh);
     refuse_split_faces(mesh);

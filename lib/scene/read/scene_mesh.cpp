@@ -141,12 +141,7 @@ Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given, bool bubbles) {
   });
   const SceneNode node(list, "Mesh");
   apply_order_and_map(node, node.count(cell_order), refined_regions(node.sublist("Refine")), given);
-  const int nodes = given.nodes();
-  if (bubbles) add_bubbles(given);
-  if (given.nodes() != nodes && !given.ties.empty())
-    throw InputError(
-        "Mesh: its cells need nodes in triangles and insides, and it has tied nodes already; give it cells "
-        "with such nodes, or give Refine, Ties and Periodic in the scene");
+  if (bubbles) at("Mesh", [&] { add_bubbles(given); });
   finish(node, given);
   return given;
 }
