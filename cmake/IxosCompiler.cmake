@@ -28,11 +28,12 @@ set(_march $<TARGET_PROPERTY:IXOS_MARCH>)
 target_compile_options(ixos_options INTERFACE
   $<$<BOOL:${_march}>:-march=${_march}>
   $<$<AND:$<NOT:$<BOOL:${_march}>>,$<BOOL:${IXOS_MARCH}>>:-march=${IXOS_MARCH}>)
+# Null and misaligned accesses fault by themselves, and sizes of objects are ASan's: half the time to compile.
+set(IXOS_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all -fno-sanitize=null,alignment,object-size)
 if(IXOS_SANITIZE)
-  # Null and misaligned accesses fault by themselves, and sizes of objects are ASan's: half the time to compile.
-  target_compile_options(ixos_options INTERFACE -fsanitize=${IXOS_SANITIZE} -fno-sanitize-recover=all
-                                                -fno-sanitize=null,alignment,object-size)
-  target_link_options(ixos_options INTERFACE -fsanitize=${IXOS_SANITIZE})
+  list(TRANSFORM IXOS_SANITIZERS REPLACE address,undefined ${IXOS_SANITIZE})
+  target_compile_options(ixos_options INTERFACE ${IXOS_SANITIZERS})
+  target_link_options(ixos_options INTERFACE ${IXOS_SANITIZERS})
 endif()
 
 find_program(IXOS_LLD ld.lld)
