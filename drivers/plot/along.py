@@ -19,8 +19,9 @@ EPILOG = """Examples:
   along.py strip.results bottom --field interaction_tractionY,displacementX --data
 
 The set is a node set or a side set of the scene; the curves begin at the lower end of its longer side, in the present
-places of its nodes. On a body of revolution that is the radius. The folder must contain fields.e with fields of nodes:
-the scene's Output/Fields chooses them."""
+places of its nodes. On a body of revolution that is the radius. In space the set must be a line of nodes, which a
+narrow box of the scene's Mesh/Sets chooses. The folder must contain fields.e with fields of nodes: the scene's
+Output/Fields chooses them."""
 
 # Without --field: those of surfaces that a file has.
 SURFACE = re.compile("gap|contact_pressure|interaction_traction|(gap|pressure|slip|friction|traction)_.*")
@@ -34,6 +35,9 @@ def way_along(fields, nodes, set_name):
     order = np.argsort(reference[:, axis], kind="stable")
     way = np.linalg.norm(np.diff(reference[order], axis=0), axis=1).sum()
     if way > 2 * np.linalg.norm(sides):  # two places at one coordinate
+        if fields.dimension == 3:
+            raise ResultsError(f"{fields.path}: the set '{set_name}' is no line of nodes; choose one by a narrow box of "
+                               "the scene's Mesh/Sets")
         raise ResultsError(f"{fields.path}: the set '{set_name}' goes back and forth; choose one side of it, by a set of "
                            "the scene's Mesh/Sets")
     return axis, nodes[order]
@@ -57,9 +61,6 @@ def values_along(fields, nodes, frames, asked):
 def draw(folder, set_name, names, frames, output, formats):
     """Draws and saves the figure. names: of fields, or None; frames: their numbers."""
     fields = Fields(folder)
-    if fields.dimension != 2:
-        raise ResultsError(f"{fields.path}: curves are along the surfaces of plane bodies and bodies of revolution; "
-                           "ParaView cuts a body in space")
     axis, nodes = way_along(fields, fields.nodes_of(set_name), set_name)
     values = values_along(fields, nodes, frames, names)
     places = [(fields.coordinates + fields.displacement(frame))[nodes, axis] for frame in frames]
@@ -74,7 +75,7 @@ def draw(folder, set_name, names, frames, output, formats):
         label = re.sub("([XYZ])(?= \\[|$)", lambda letter: " " + letter[1].lower(), style.field_label(name))
         axes.set_ylabel(label.replace(" [", "\n["))
     radius = axis == 0 and is_axisymmetric(folder)
-    grid[-1, 0].set_xlabel(f"{'radius' if radius else 'xy'[axis]} {style.unit('length', 2)}")
+    grid[-1, 0].set_xlabel(f"{'radius' if radius else 'xyz'[axis]} {style.unit('length', 2)}")
     grid[0, 0].legend(loc="lower right", bbox_to_anchor=(1, 1), ncol=2, fontsize=8)
     figure.suptitle(f"along {set_name}", x=0.01, ha="left", fontsize=9, fontweight="bold")
     figure.align_ylabels()

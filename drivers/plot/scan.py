@@ -7,7 +7,9 @@ import math
 import pathlib
 
 import options
+import result_files
 import style
+import units
 from results import ResultsError
 from study import plain, save
 from style import plt
@@ -18,6 +20,9 @@ EPILOG = """Examples:
 The script reads scan.csv and scan.json, which ixos-study --scan writes. The first parameter is the horizontal axis; of
 several, each combination of the others has a line. Runs without a value leave a gap."""
 
+# Names in summary.json where they differ from those of units.QUANTITIES.
+SUMMARY_KINDS = {"speed": "velocity", "momentum": "linear_momentum", "angular momentum": "angular_momentum",
+                 "measure": "contact_measure"}
 PANEL = 2.4, 4.8  # inches: height of a panel, and its width
 
 
@@ -35,6 +40,38 @@ def read(folder):
         raise ResultsError(f"{folder}: {error}") from None
 
 
+def units_of_results(folder, names):
+    """The units of results by kind, as the first of these runs has them that ended; empty if none did."""
+    for name in names:
+        try:
+            known = result_files.read_summary(folder / "runs" / name / "summary.json")["units"]
+            return {kind: unit["symbol"] for kind, unit in known.items()}
+        except (result_files.FileError, KeyError, TypeError, AttributeError):
+            continue
+    return {}
+
+
+def kind_of(quantity):
+    """What a collected number measures, as in units.QUANTITIES; None for a ratio."""
+    if quantity.startswith("time of"):
+        return "time"
+    if quantity.split("[")[0].strip() == "work":
+        return "energy"
+    if quantity.startswith(("restitution", "energy error")):
+        return None
+    words = quantity.split()
+    return units.column_quantity(words[1]) if len(words) > 1 else None
+
+
+def with_unit(text, symbol):
+    """A label with its unit: E0 L0^2 as E₀ L₀²."""
+    if not symbol:
+        return text
+    for plain_text, shown in (("L0", "L₀"), ("E0", "E₀"), ("T0", "T₀"), ("^2", "²"), ("^3", "³")):
+        symbol = symbol.replace(plain_text, shown)
+    return f"{text} [{symbol}]"
+
+
 def number(text):
     """The number that a cell has; NaN if it has none."""
     try:
@@ -43,8 +80,8 @@ def number(text):
         return math.nan
 
 
-def draw(asked, rows):
-    """Returns the figure."""
+def draw(asked, rows, known):
+    """Returns the figure. `known` has the units of results."""
     first, *others = asked["varied"]
     values = first["values"]
     numbers = [number(value) for value in values]
@@ -59,10 +96,11 @@ def draw(asked, rows):
             name = ", ".join(f"{other['name']} {label}" for other, label in zip(others, labels))
             axes.plot(places, found, marker="o", markersize=4, linewidth=1.1, label=plain(name),
                       color=style.COLORS[index % len(style.COLORS)], linestyle="-" if numeric else "none")
-        axes.set_ylabel(plain(quantity, 30))
+        kind = kind_of(quantity)
+        axes.set_ylabel(plain(with_unit(quantity, known.get(SUMMARY_KINDS.get(kind, kind))), 26))
         axes.margins(x=0.04)
     last = panels[-1, 0]
-    last.set_xlabel(plain(first["name"], 60))
+    last.set_xlabel(plain(with_unit(first["name"], first.get("unit")), 60))
     if first["logarithmic"] and min(numbers) > 0:
         last.set_xscale("log")
     if not numeric:
@@ -78,7 +116,8 @@ def main():
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folder", metavar="FOLDER", help="results folder of a scan (with scan.csv and scan.json)")
     folder = pathlib.Path(parser.parse_args().folder)
-    save(draw(*read(folder)), folder / "scan")
+    asked, rows = read(folder)
+    save(draw(asked, rows, units_of_results(folder, [row["run"] for row in rows.values()])), folder / "scan")
 
 
 if __name__ == "__main__":

@@ -120,9 +120,13 @@ def field_quantity(field):
     return "stress" if re.search("stress|energy_density|pressure|interaction_traction", field) else None
 
 
+def column_quantity(column):
+    """The quantity of a column of history.csv, or None for a number."""
+    return next((quantity for pattern, quantity in COLUMNS if re.fullmatch(pattern, column)), None)
+
+
 def convert_history(columns, scales, dimension):
     """Converts the columns of a history in place."""
     for column, values in columns.items():
-        quantity = next((quantity for pattern, quantity in COLUMNS if re.fullmatch(pattern, column)), None)
-        if quantity:
+        if quantity := column_quantity(column):
             columns[column] = values * factor(scales, quantity, dimension)

@@ -295,7 +295,8 @@ void Simulation::build_model(const Comm& comm, Inertia inertia) {
   add_grips(scene.sublist("Grips"), histories, *model_);
   at("Boundary Conditions", [&] { model_->check_tied_conditions(); });
   refuse_unused_histories(scene, interactions_, histories);
-  for (std::string& note : histories.notes()) notes_.push_back(std::move(note));
+  if (!has_next_stage())
+    for (std::string& note : histories.notes()) notes_.push_back(std::move(note));
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));

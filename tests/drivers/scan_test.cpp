@@ -131,7 +131,8 @@ TEST_F(ScanTest, WhatCannotBeRunIsRefused) {
   expect(force, "--vary");
   expect(moduli, "--collect is missing, and the scene names no Output/Quantities");
   expect("--vary 'Materials/Rubber/Young=1:2:3' " + force, "run 1: --set Materials/Rubber/Young");
-  expect(moduli + "--collect 'final reaction_foot_y'", "\"reaction_foot_y\" does not exist; did you mean");
+  expect(moduli + "--output new --collect 'final reaction_foot_y'", "\"reaction_foot_y\" does not exist; did you mean");
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/new"));  // refused before a run
   expect(moduli + moduli + force, "\"Materials/Rubber/Young's Modulus\" is varied twice");
   const Outcome other = shell("'" IXOS_STUDY_DRIVER "' study.xml --jobs 2", folder_);
   EXPECT_EQ(other.status, 2);

@@ -95,6 +95,17 @@ class OverviewTest(ScriptTest):
         done = script("overview.py", self.strip, "--along", "bottom", "--field", "jacobian")
         self.assertIn("'jacobian' is a field of cells; fields of nodes: displacement, ", done.stderr)
 
+    def test_a_line_of_nodes_in_space_has_curves(self):
+        folder = self.folder / "line"
+        simulate(folder, CUBE + ["Mesh/Sets/Middle/Kind=Nodes", "Mesh/Sets/Middle/Lower={-1, 0, 1}",
+                                 "Mesh/Sets/Middle/Upper={1, 0, 1}", "Output/Fields={displacement, gap}"])
+        _, data = self.draw("overview.py", folder, "--along", "Middle", "--times", "0", "--data")
+        with open(data, encoding="utf-8") as file:
+            rows = [(float(row["x"]), float(row["y"])) for row in csv.DictReader(file) if row["panel"].startswith("gap")]
+        np.testing.assert_allclose(rows, [(-1, 1), (0, 1), (1, 1)], atol=1e-9)
+        done = script("overview.py", folder, "--along", "bottom")
+        self.assertIn("the set 'bottom' is no line of nodes; choose one by a narrow box of the scene's Mesh/Sets", done.stderr)
+
     def test_the_arrow_is_the_reaction(self):
         import overview
         run, fields = Run(self.strip), Fields(self.strip)

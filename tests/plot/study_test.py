@@ -285,5 +285,22 @@ class StudyTest(ScriptTest):
         self.assertIn("report.html cannot be written", done.stderr)
 
 
+class ScanTest(ScriptTest):
+    def test_labels_have_units(self):
+        folder = self.folder / "scan"
+        (folder / "runs/2").mkdir(parents=True)
+        (folder / "runs/2/summary.json").write_text('{"units": {"force": {"symbol": "E0 L0^2"}, "time": {"symbol": "T0"}}}')
+        quantities = ["peak reaction_top_y [0, 1]", "time of peak min_gap", "restitution a_vy"]
+        (folder / "scan.json").write_text(json.dumps({
+            "varied": [{"name": "Strength", "unit": "E0", "logarithmic": True, "values": ["1", "2"]}],
+            "quantities": quantities}))
+        with open(folder / "scan.csv", "w", newline="", encoding="utf-8") as file:
+            csv.writer(file).writerows([["run", "Strength", *quantities], ["1", "1", "", "", ""], ["2", "2", 3, 4, 5]])
+        self.assertEqual(self.draw("scan.py", folder), [folder / "scan.png", folder / "scan.svg"])
+        svg = (folder / "scan.svg").read_text()
+        for words in ("Strength [E₀]", "[E₀ L₀²]", "time of peak min_gap [T₀]", ">restitution a_vy<"):
+            self.assertIn(words, svg)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs the script of docs/help/posts.md with few posts, and its scene of two."""
+"""Runs the script of docs/tutorials/posts/posts.md with few posts, and its scene of two."""
 import os
 import pathlib
 import re
@@ -9,7 +9,7 @@ import sys
 import numpy as np
 from support import FolderTest, ixos, main
 
-PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/help/posts.md"
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs/tutorials/posts/posts.md"
 STRENGTH = 0.0624428 * 25 / 250  # of the default law, which Gamma W divides
 
 
@@ -35,6 +35,10 @@ class PostsTest(FolderTest):
         self.assertLess(table["reaction_top_y"].max(), 0.9 * 4 * 2 * STRENGTH)
         self.assertGreater(table.summary["jumps"]["count"], 1)
         self.assertEqual(table["contact_measure"][-1], 0)
+
+    def test_posts_in_space_come_off_at_strength_times_area(self):
+        table = self.pull("1x2", 0.0)
+        self.assertLess(abs(table["reaction_top_z"].max() / (2 * 4 * STRENGTH) - 1), 0.01)
 
     def test_the_scene_has_bonded_parts(self):
         scene = ixos.Scene.parse("<ParameterList name=\"Posts\">" + block("xml") + "</ParameterList>")

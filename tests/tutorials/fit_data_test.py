@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tests the program of docs/help/fit-data.md: it finds the modulus, the work of adhesion and the shift that made its
+"""Tests the program of docs/tutorials/fit-data/fit-data.md: it finds the modulus, the work of adhesion and the shift that made its
 data (15 s).
 
     IXOS_DRIVER=build/release/drivers/ixos tests/tutorials/fit_data_test.py"""
@@ -14,7 +14,7 @@ import unittest
 
 import tutorial
 
-PAGE = tutorial.ROOT / "docs/help/fit-data.md"
+PAGE = tutorial.ROOT / "docs/tutorials/fit-data/fit-data.md"
 KNOWN = {"E": 7, "W": 30, "shift": 0.1}
 MISSING = [name for name in ("ixos", "scipy") if importlib.util.find_spec(name) is None]
 

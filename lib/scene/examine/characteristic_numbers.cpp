@@ -125,6 +125,7 @@ double curvature_of(const Mesh& mesh, const SideSet& set, const Vec<3>& apex, co
 
 void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
   const GapLaw& law = *interaction.law;
+  numbers.is_electrode = interaction.node.text("Law") == "Electrostatic";
   numbers.equilibrium_gap = law.equilibrium_gap();
   const bool cut = interaction.cutoff > law.adhesion_gap();
   numbers.work = work_of_adhesion(cut ? *law.cut_off(interaction.cutoff) : law);

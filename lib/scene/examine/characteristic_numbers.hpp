@@ -32,6 +32,7 @@ struct SurfaceNumbers {
   double work = 0;                 ///< W of adhesion, with the cutoff, see work_of_adhesion() [E0 L0]
   double peak_traction = 0;        ///< s0, the largest attraction [E0]
   bool never_bonds = false;        ///< W = s0 = 0: it begins beyond the range of bonds that form at the start only
+  bool is_electrode = false;       ///< of the law Electrostatic: it attracts from afar, and nothing comes off
   double equilibrium_gap = 0;      ///< r_eq [L0]
   double elastic_length = 0;       ///< elasto-adhesive length W/E [L0]
   double cohesive_zone = 0;        ///< see cohesive_zone() [L0]

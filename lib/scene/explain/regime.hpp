@@ -20,7 +20,8 @@ Regime regime(const SurfaceNumbers& surface);
 double least_strength(const SurfaceNumbers& surface);
 
 /// Returns a sentence on an adhesive surface: by its Tabor number where it or its obstacle is round (Johnson and
-/// Greenwood 1997), else, if it is flat, by its cohesive zone; empty if it has no work of adhesion.
+/// Greenwood 1997), else, if it is flat, by its cohesive zone; empty if it has no work of adhesion, or is an
+/// electrode.
 std::string regime_in_words(const SurfaceNumbers& surface);
 
 }  // namespace ixos

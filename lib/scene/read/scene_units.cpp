@@ -177,4 +177,17 @@ std::string values_in_si(const List& complete, const UnitSystem& units, int dime
   return text;
 }
 
+std::string unit_of(const List& complete, const std::string& asked) {
+  std::string unit;
+  const UnitUses uses(complete, scene_parameters());
+  Path root;
+  walk(complete, scene_parameters(), root,
+       [&](const Path& path, const List& list, const std::string& name, const Teuchos::ParameterEntry& known) {
+         if (place(path, name) != asked) return;
+         const auto documented = applicable(documented_units(known.docString()), uses.of(path, list));
+         if (documented.size() == 1) unit = documented.front().expression;
+       });
+  return unit;
+}
+
 }  // namespace ixos

@@ -24,4 +24,8 @@ Teuchos::ParameterList complete_scene(const Teuchos::ParameterList& user);
 /// units of the scene and in SI units. `dimension`: that of the mesh; 0 if no more is known than the scene states.
 std::string values_in_si(const Teuchos::ParameterList& complete, const UnitSystem& units, int dimension = 0);
 
+/// Returns the unit of a parameter of a complete scene, "E0" or "L0/T0"; empty for a pure number, or if the unit
+/// depends on a use that the scene leaves open. `path`: its lists and its name, with "/" between them.
+std::string unit_of(const Teuchos::ParameterList& complete, const std::string& path);
+
 }  // namespace ixos

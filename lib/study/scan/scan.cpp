@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "io/child_process.hpp"
+#include "io/disk_file.hpp"
 #include "parameters/scene_node.hpp"
 #include "scene/read/scene_units.hpp"
 #include "scene/scene_file.hpp"
@@ -48,11 +51,31 @@ ScanRow row_of(const RunPool& pool, const StudyRun& run, const std::vector<Asked
   return row;
 }
 
-/// Refuses quantities that need a column which the first run lacks: so would all others.
-void check_columns(const RunPool& pool, const ScanRow& row, const std::vector<AskedQuantity>& quantities) {
-  if (!row.reached_its_end() && !row.failed_with_rows()) return;
-  const RunHistory history(pool.folder(row.run));
-  for (const AskedQuantity& quantity : quantities) quantity.check_columns(history.table().names());
+/// Refuses quantities that need a column which the first run lacks, or will lack: so would all others.
+void check_columns(const RunPool& pool, const Scan& scan, const std::string& driver) {
+  const StudyRun& first = scan.runs.front();
+  if (pool.is_done(first)) {
+    const RunRecord record = pool.record(first);
+    if (!record.reached_its_end() && !record.failed_with_rows()) return;
+    const RunHistory history(pool.folder(first));
+    for (const AskedQuantity& quantity : scan.quantities) quantity.check_columns(history.table().names());
+    return;
+  }
+  std::string asked;
+  for (const AskedQuantity& quantity : scan.quantities) asked += (asked.empty() ? "" : ", ") + quantity.text();
+  std::vector<std::string> command{driver, scan.scene, "--check"};
+  for (const std::string& assignment : first.settings) command.insert(command.end(), {"--set", assignment});
+  command.insert(command.end(), {"--set", "Output/Quantities={" + asked + "}"});
+  std::error_code code;
+  std::filesystem::create_directories(pool.folder(first), code);  // a run says what is wrong with its folder
+  const std::string log = pool.folder(first) + "/log.txt";
+  if (ChildProcess(command, log).wait().exit_status != 2) return;
+  // What else is wrong with the first run need not be so with the others.
+  const std::string place = "Output/Quantities: ";
+  std::ifstream told = open_text(log);
+  for (std::string line; std::getline(told, line);)
+    if (const auto found = line.find(place); found != std::string::npos)
+      throw InputError(line.substr(found + place.size()));
 }
 
 void name_apart(std::vector<VariedParameter>& varied) {
@@ -98,23 +121,31 @@ Scan read_scan(const std::string& scene, const Assignments& common, const std::v
       throw InputError("run " + run.name + ": " + error.what());
     }
     if (scan.quantities.empty()) scan.quantities = quantities_of(complete);
+    if (&run == &scan.runs.front())
+      for (VariedParameter& one : scan.varied)
+        if (one.has_plain_numbers()) one.unit = unit_of(complete, one.path);
   }
   return scan;
 }
 
 ScanOutcome run_scan(const Scan& scan, const ScanOptions& options) {
   std::error_code code;
-  std::filesystem::create_directories(options.folder, code);
+  const bool is_new = std::filesystem::create_directories(options.folder, code);
   if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
   const ResultsFolder held(options.folder, owner(scan), options.overwrite);
   const RunPool pool({options.folder + "/runs", scan.scene, options.driver, options.version, 0, options.interrupted});
+  try {
+    check_columns(pool, scan, options.driver);
+  } catch (const InputError&) {
+    if (is_new) std::filesystem::remove_all(options.folder, code);
+    throw;
+  }
   std::vector<std::optional<ScanRow>> found(scan.runs.size());
   std::size_t done = 0;
   ScanOutcome outcome;
   outcome.complete = pool.carry_out(scan.runs, options.jobs, [&](std::size_t number, bool reused) {
     found[number] = row_of(pool, scan.runs[number], scan.quantities);
-    if (++done == 1) check_columns(pool, *found[number], scan.quantities);
-    if (options.watch) options.watch(*found[number], done, reused);
+    if (options.watch) options.watch(*found[number], ++done, reused);
   });
   for (std::optional<ScanRow>& row : found)
     if (row) outcome.rows.push_back(std::move(*row));

@@ -57,8 +57,11 @@ void write_scan(const Scan& scan, const std::vector<ScanRow>& rows, const ScanOp
   for (const VariedParameter& varied : scan.varied) {
     nlohmann::ordered_json values = nlohmann::ordered_json::array();
     for (const AxisValue& value : varied.values) values.push_back(value.label);
-    json["varied"].push_back(
-        {{"name", varied.name}, {"parameter", varied.path}, {"logarithmic", varied.logarithmic}, {"values", values}});
+    json["varied"].push_back({{"name", varied.name},
+                              {"parameter", varied.path},
+                              {"unit", varied.unit},
+                              {"logarithmic", varied.logarithmic},
+                              {"values", values}});
   }
   json["quantities"] = nlohmann::ordered_json::array();
   for (const AskedQuantity& quantity : scan.quantities) json["quantities"].push_back(quantity.text());

@@ -79,6 +79,10 @@ std::string label_of(const std::string& value) {
 
 }  // namespace
 
+bool VariedParameter::has_plain_numbers() const {
+  return std::all_of(values.begin(), values.end(), [](const AxisValue& value) { return number_of(value.label); });
+}
+
 VariedParameter read_varied(const std::string& text) {
   const auto equal = text.find('=');
   if (equal == std::string::npos || equal == 0) refuse(text, "there is no \"=\" behind the name of a parameter");

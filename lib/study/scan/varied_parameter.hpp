@@ -10,6 +10,9 @@ namespace ixos {
 struct VariedParameter : Axis {
   std::string path;          ///< "List/Sublist/Name"
   bool logarithmic = false;  ///< the values have equal ratios
+  std::string unit;          ///< of plain numbers, "E0"; empty if they have none
+
+  bool has_plain_numbers() const;  ///< or words, arrays, numbers with units
 };
 
 /// Reads "List/Sublist/Name=from:to:number" for so many numbers at equal distances, with ":log" behind for equal
