@@ -36,6 +36,15 @@ if(IXOS_SANITIZE)
   target_link_options(ixos_options INTERFACE ${IXOS_SANITIZERS})
 endif()
 
+# ixos_sanitize(target): a target under sanitizers in a build without. Another target has the same sources, so that tools
+# which read the commands of a build are not told of this one.
+function(ixos_sanitize target)
+  target_compile_options(${target} PRIVATE ${IXOS_SANITIZERS})
+  target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+  target_link_options(${target} PRIVATE ${IXOS_SANITIZERS})
+  set_target_properties(${target} PROPERTIES EXPORT_COMPILE_COMMANDS OFF)
+endfunction()
+
 find_program(IXOS_LLD ld.lld)
 if(IXOS_LLD)
   target_link_options(ixos_options INTERFACE -fuse-ld=lld)

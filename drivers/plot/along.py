@@ -33,11 +33,11 @@ def way_along(fields, nodes, set_name):
     sides = np.ptp(reference, axis=0)
     axis = int(np.argmax(sides))
     order = np.argsort(reference[:, axis], kind="stable")
-    way = np.linalg.norm(np.diff(reference[order], axis=0), axis=1).sum()
-    if way > 2 * np.linalg.norm(sides):  # two places at one coordinate
-        if fields.dimension == 3:
-            raise ResultsError(f"{fields.path}: the set '{set_name}' is no line of nodes; choose one by a narrow box of "
-                               "the scene's Mesh/Sets")
+    steps = np.diff(reference[order], axis=0)
+    if fields.dimension == 3 and (steps[:, axis] < 1e-9 * sides[axis]).any():
+        raise ResultsError(f"{fields.path}: the set '{set_name}' is no line of nodes, since some are beside each other; "
+                           "choose one line by a narrow box of the scene's Mesh/Sets")
+    if np.linalg.norm(steps, axis=1).sum() > 2 * np.linalg.norm(sides):  # two places at one coordinate
         raise ResultsError(f"{fields.path}: the set '{set_name}' goes back and forth; choose one side of it, by a set of "
                            "the scene's Mesh/Sets")
     return axis, nodes[order]

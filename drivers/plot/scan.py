@@ -18,22 +18,19 @@ EPILOG = """Examples:
   scan.py pillar-scan.results     -> pillar-scan.results/scan.png, .svg
 
 The script reads scan.csv and scan.json, which ixos-study --scan writes. The first parameter is the horizontal axis; of
-several, each combination of the others has a line. Runs without a value leave a gap."""
+several, each combination of the others has a line. Runs without a value leave a gap. Units are those of the scene."""
 
-# Names in summary.json where they differ from those of units.QUANTITIES.
-SUMMARY_KINDS = {"speed": "velocity", "momentum": "linear_momentum", "angular momentum": "angular_momentum",
-                 "measure": "contact_measure"}
 PANEL = 2.4, 4.8  # inches: height of a panel, and its width
 
 
 def read(folder):
-    """Returns scan.json, and the rows of scan.csv by the labels of the varied parameters."""
+    """Returns scan.json, the rows of scan.csv by the labels of the varied parameters, and the names of the runs."""
     try:
         asked = json.loads((folder / "scan.json").read_text(encoding="utf-8"))
         with open(folder / "scan.csv", encoding="utf-8", newline="") as file:
             rows = list(csv.DictReader(file))
         names = [varied["name"] for varied in asked["varied"]]
-        return asked, {tuple(row[name] for name in names): row for row in rows}
+        return asked, {tuple(row[name] for name in names): row for row in rows}, [row["run"] for row in rows]
     except FileNotFoundError as error:
         raise ResultsError(f"the file {error.filename} does not exist") from None
     except (OSError, ValueError, KeyError) as error:
@@ -51,25 +48,13 @@ def units_of_results(folder, names):
     return {}
 
 
-def kind_of(quantity):
-    """What a collected number measures, as in units.QUANTITIES; None for a ratio."""
-    if quantity.startswith("time of"):
-        return "time"
-    if quantity.split("[")[0].strip() == "work":
-        return "energy"
-    if quantity.startswith(("restitution", "energy error")):
-        return None
-    words = quantity.split()
-    return units.column_quantity(words[1]) if len(words) > 1 else None
-
-
-def with_unit(text, symbol):
-    """A label with its unit: E0 L0^2 as E₀ L₀²."""
-    if not symbol:
-        return text
-    for plain_text, shown in (("L0", "L₀"), ("E0", "E₀"), ("T0", "T₀"), ("^2", "²"), ("^3", "³")):
-        symbol = symbol.replace(plain_text, shown)
-    return f"{text} [{symbol}]"
+def with_unit(text, expression, width):
+    """A label in lines of so many letters, and its unit in one piece."""
+    unit = f"[{units.symbol(expression)}]" if expression else ""
+    label = plain(text, width)
+    if unit:
+        label += (" " if len(label.splitlines()[-1]) + len(unit) < width else "\n") + unit
+    return label
 
 
 def number(text):
@@ -90,17 +75,18 @@ def draw(asked, rows, known):
     height, width = PANEL
     count = len(asked["quantities"])
     figure, panels = plt.subplots(count, 1, sharex=True, squeeze=False, figsize=(width, height * count))
-    for quantity, axes in zip(asked["quantities"], panels[:, 0]):
+    columns = asked.get("unit_columns", [""] * count)
+    for quantity, column, axes in zip(asked["quantities"], columns, panels[:, 0]):
         for index, labels in enumerate(itertools.product(*(other["values"] for other in others))):
             found = [number(rows.get((value, *labels), {}).get(quantity, "")) for value in values]
-            name = ", ".join(f"{other['name']} {label}" for other, label in zip(others, labels))
-            axes.plot(places, found, marker="o", markersize=4, linewidth=1.1, label=plain(name),
+            name = "\n".join(with_unit(f"{other['name']} {label}", other.get("unit"), 34)
+                             for other, label in zip(others, labels))
+            axes.plot(places, found, marker="o", markersize=4, linewidth=1.1, label=name,
                       color=style.COLORS[index % len(style.COLORS)], linestyle="-" if numeric else "none")
-        kind = kind_of(quantity)
-        axes.set_ylabel(plain(with_unit(quantity, known.get(SUMMARY_KINDS.get(kind, kind))), 26))
+        axes.set_ylabel(with_unit(quantity, known.get(units.summary_name(column)), 30))
         axes.margins(x=0.04)
     last = panels[-1, 0]
-    last.set_xlabel(plain(with_unit(first["name"], first.get("unit")), 60))
+    last.set_xlabel(with_unit(first["name"], first.get("unit"), 60))
     if first["logarithmic"] and min(numbers) > 0:
         last.set_xscale("log")
     if not numeric:
@@ -116,8 +102,8 @@ def main():
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folder", metavar="FOLDER", help="results folder of a scan (with scan.csv and scan.json)")
     folder = pathlib.Path(parser.parse_args().folder)
-    asked, rows = read(folder)
-    save(draw(asked, rows, units_of_results(folder, [row["run"] for row in rows.values()])), folder / "scan")
+    asked, rows, runs = read(folder)
+    save(draw(asked, rows, units_of_results(folder, runs)), folder / "scan")
 
 
 if __name__ == "__main__":

@@ -36,6 +36,10 @@ COLUMNS = [(r"time|time_step", "time"), (r"\w+_energy|external_work|dissipated_.
            (r"norm_acceleration", "acceleration"),
            (r"norm_(.*_stress|stress|(dissipated_)?energy_density)", "stress")]
 
+# Names in `units` of summary.json, where they are others.
+SUMMARY_NAMES = {"speed": "velocity", "surface energy": "", "momentum": "linear_momentum",
+                 "angular momentum": "angular_momentum", "measure": "contact_measure"}
+
 _shown = None  # the scales whose prefixes the axes have
 
 
@@ -123,6 +127,19 @@ def field_quantity(field):
 def column_quantity(column):
     """The quantity of a column of history.csv, or None for a number."""
     return next((quantity for pattern, quantity in COLUMNS if re.fullmatch(pattern, column)), None)
+
+
+def summary_name(column):
+    """The name in `units` of summary.json of what a column of history.csv has; None for a number."""
+    quantity = column_quantity(column)
+    return SUMMARY_NAMES.get(quantity, quantity)
+
+
+def symbol(expression):
+    """A unit of the scene as axes show it: E0 L0^2 as E₀ L₀²."""
+    for plain, shown in (*((name[0] + "0", name) for name in SCENE_UNITS), ("^2", POWERS[2]), ("^3", POWERS[3])):
+        expression = expression.replace(plain, shown)
+    return expression
 
 
 def convert_history(columns, scales, dimension):

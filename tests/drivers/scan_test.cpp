@@ -131,8 +131,16 @@ TEST_F(ScanTest, WhatCannotBeRunIsRefused) {
   expect(force, "--vary");
   expect(moduli, "--collect is missing, and the scene names no Output/Quantities");
   expect("--vary 'Materials/Rubber/Young=1:2:3' " + force, "run 1: --set Materials/Rubber/Young");
-  expect(moduli + "--output new --collect 'final reaction_foot_y'", "\"reaction_foot_y\" does not exist; did you mean");
-  EXPECT_FALSE(std::filesystem::exists(folder_ + "/new"));  // refused before a run
+  const std::string unknown = "--collect 'final reaction_foot_y' ";
+  const std::string words =
+      "--collect: \"final reaction_foot_y\": column \"reaction_foot_y\" does not exist; did you mean";
+  expect(moduli + unknown + "--output new", words);
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/new")) << "refused before a run";
+  expect("--vary 'Boundary Conditions/Lift/Node Set={tip, top}' " + unknown, words);  // the second run can tell
+  ASSERT_EQ(scan(moduli + force + "--quiet").status, 0);
+  expect(moduli + unknown, words);
+  EXPECT_TRUE(std::filesystem::exists(folder_ + "/scene-scan.results/scan.csv")) << "the results stay";
+  EXPECT_NE(contents(folder_ + "/scene-scan.results/scan.json").find("\"unit\": \"E0\""), std::string::npos);
   expect(moduli + moduli + force, "\"Materials/Rubber/Young's Modulus\" is varied twice");
   const Outcome other = shell("'" IXOS_STUDY_DRIVER "' study.xml --jobs 2", folder_);
   EXPECT_EQ(other.status, 2);

@@ -101,10 +101,11 @@ class OverviewTest(ScriptTest):
                                  "Mesh/Sets/Middle/Upper={1, 0, 1}", "Output/Fields={displacement, gap}"])
         _, data = self.draw("overview.py", folder, "--along", "Middle", "--times", "0", "--data")
         with open(data, encoding="utf-8") as file:
-            rows = [(float(row["x"]), float(row["y"])) for row in csv.DictReader(file) if row["panel"].startswith("gap")]
+            rows = [(float(row["x"]), float(row["y"])) for row in csv.DictReader(file)
+                    if row["panel"].startswith("gap")]
         np.testing.assert_allclose(rows, [(-1, 1), (0, 1), (1, 1)], atol=1e-9)
         done = script("overview.py", folder, "--along", "bottom")
-        self.assertIn("the set 'bottom' is no line of nodes; choose one by a narrow box of the scene's Mesh/Sets", done.stderr)
+        self.assertIn("the set 'bottom' is no line of nodes, since some are beside each other", done.stderr)
 
     def test_the_arrow_is_the_reaction(self):
         import overview

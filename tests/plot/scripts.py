@@ -54,13 +54,16 @@ def script(name, *arguments):
     with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as complaints:
         child = os.fork()
         if child == 0:
-            sys.stdout, sys.stderr = output, complaints
-            os.dup2(output.fileno(), 1)
-            os.dup2(complaints.fileno(), 2)
-            status = run_as_main(PLOT / name, [str(word) for word in arguments])
-            output.flush()
-            complaints.flush()
-            os._exit(status)
+            status = 1
+            try:
+                sys.stdout, sys.stderr = output, complaints
+                os.dup2(output.fileno(), 1)
+                os.dup2(complaints.fileno(), 2)
+                status = run_as_main(PLOT / name, [str(word) for word in arguments])
+                output.flush()
+                complaints.flush()
+            finally:
+                os._exit(status)
         status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
         output.seek(0)
         complaints.seek(0)

@@ -288,18 +288,25 @@ class StudyTest(ScriptTest):
 class ScanTest(ScriptTest):
     def test_labels_have_units(self):
         folder = self.folder / "scan"
-        (folder / "runs/2").mkdir(parents=True)
-        (folder / "runs/2/summary.json").write_text('{"units": {"force": {"symbol": "E0 L0^2"}, "time": {"symbol": "T0"}}}')
-        quantities = ["peak reaction_top_y [0, 1]", "time of peak min_gap", "restitution a_vy"]
+        (folder / "runs/2_7").mkdir(parents=True)
+        (folder / "runs/2_7/summary.json").write_text(
+            json.dumps({"units": {"force": {"symbol": "E0 L0^2"}, "time": {"symbol": "T0"}}}))
+        quantities = ["peak reaction_top_y", "time of peak min_gap", "restitution a_vy"]
         (folder / "scan.json").write_text(json.dumps({
-            "varied": [{"name": "Strength", "unit": "E0", "logarithmic": True, "values": ["1", "2"]}],
-            "quantities": quantities}))
+            "varied": [{"name": "Strength", "unit": "E0", "logarithmic": True, "values": ["1", "2"]},
+                       {"name": "Way", "unit": "L0", "logarithmic": False, "values": ["7"]}],
+            "quantities": quantities, "unit_columns": ["reaction_top_y", "time", ""]}))
+        rows = [["run", "Strength", "Way", *quantities], ["1_7", "1", "7", "", "", ""], ["2_7", "2", "7", 3, 4, 5]]
         with open(folder / "scan.csv", "w", newline="", encoding="utf-8") as file:
-            csv.writer(file).writerows([["run", "Strength", *quantities], ["1", "1", "", "", ""], ["2", "2", 3, 4, 5]])
+            csv.writer(file).writerows(rows)
         self.assertEqual(self.draw("scan.py", folder), [folder / "scan.png", folder / "scan.svg"])
         svg = (folder / "scan.svg").read_text()
-        for words in ("Strength [E₀]", "[E₀ L₀²]", "time of peak min_gap [T₀]", ">restitution a_vy<"):
+        for words in ("Strength [E₀]", "peak reaction_top_y [E₀ L₀²]", "time of peak min_gap [T₀]",
+                      ">restitution a_vy<", "Way 7 [L₀]"):
             self.assertIn(words, svg)
+        with open(folder / "scan.csv", "w", newline="", encoding="utf-8") as file:
+            csv.writer(file).writerows(row[1:] for row in rows)
+        self.assert_refused("'run'", "scan.py", folder)
 
 
 if __name__ == "__main__":

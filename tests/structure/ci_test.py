@@ -3,8 +3,8 @@
 
     tests/structure/ci_test.py BUILD_FOLDER
 
-Each long test is in one slice, each folder of the library in one that runs it under sanitizers, each source in one that
-runs clang-tidy. tests/bench/short.py has each file of tests/bench, and tests/readme/blocks.py has no command that the README
+Each long test is in one slice, each folder of the library and each unit test in one that runs it under sanitizers, each
+source in one that runs clang-tidy. tests/bench/short.py has each file of tests/bench, and tests/readme/blocks.py has no command that the README
 does not have. The record is sound, and names slices that exist and do not take too long. Every slice has a program and
 its turn. tests/packages/install.sh runs all tests of debian/tests/control. The exit status is 1 if not.
 """
@@ -60,17 +60,24 @@ def check_tests():
     commands = [each.command for each in SLICES if each.name.startswith("long-")]
     if not names or not commands:
         yield "no long test, or no slice long-*: is this check out of date?"
-    yield from check_once("long test", names, [list_tests(*arguments_of(command, "tests/run.sh")) for command in commands])
+    yield from check_once("long test", names,
+                          [list_tests(*arguments_of(command, "tests/run.sh")) for command in commands])
 
 
 def check_sanitizers():
     lists = (ROOT / "lib/CMakeLists.txt").read_text(encoding="utf-8")
-    folders = {name: words.split() for name, words in re.findall(r"^ *ixos_sanitized\((\w+) ([^)]*)\)$", lists, re.MULTILINE)}
+    folders = {name: words.split()
+               for name, words in re.findall(r"^ *ixos_sanitized\((\w+) ([^)]*)\)$", lists, re.MULTILINE)}
+    library = sorted(folder.name for folder in (ROOT / "lib").iterdir() if any(folder.rglob("*.cpp")))
+    yield from check_once("folder of lib under sanitizers", library, folders.values())
     commands = [each.command for each in SLICES if each.name.startswith("sanitizers-")]
     parts = [arguments_of(command, "tests/sanitizers/run.sh")[0] for command in commands]
     yield from check_once("part under sanitizers", ["headers", *folders], [[part] for part in parts])
-    library = sorted(folder.name for folder in (ROOT / "lib").iterdir() if any(folder.rglob("*.cpp")))
-    yield from check_once("folder of lib under sanitizers", library, folders.values())
+    script = (ROOT / "tests/sanitizers/run.sh").read_text(encoding="utf-8")
+    chosen = "|".join(re.findall(r"^ .*tests='([^']+)'", script, re.MULTILINE))
+    for name, labels in list_tests().items():
+        if "unit" in labels and "long" not in labels and not re.match(rf"(unit|guide)\.({chosen})(\.|$)", name):
+            yield f"unit test {name} is in no part of tests/sanitizers/run.sh"
 
 
 def check_sources():
@@ -131,8 +138,8 @@ def check_turns():
 
 
 def main():
-    problems = [*check_tests(), *check_sanitizers(), *check_sources(), *check_benchmarks(), *blocks.check(), *check_record(),
-                *check_programs(), *check_packages(), *check_turns()]
+    problems = [*check_tests(), *check_sanitizers(), *check_sources(), *check_benchmarks(), *blocks.check(),
+                *check_record(), *check_programs(), *check_packages(), *check_turns()]
     if problems:
         sys.exit("\n".join(f"ci_test.py: {problem}" for problem in problems))
     print(f"{len(SLICES)} slices leave nothing out")

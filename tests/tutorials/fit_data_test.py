@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Tests the program of docs/tutorials/fit-data/fit-data.md: it finds the modulus, the work of adhesion and the shift that made its
-data (15 s).
+"""Tests the program of docs/tutorials/fit-data/fit-data.md: it finds the modulus, the work of adhesion and the shift
+that made its data (15 s).
 
     IXOS_DRIVER=build/release/drivers/ixos tests/tutorials/fit_data_test.py"""
 import importlib.util
@@ -16,7 +16,7 @@ import tutorial
 
 PAGE = tutorial.ROOT / "docs/tutorials/fit-data/fit-data.md"
 KNOWN = {"E": 7, "W": 30, "shift": 0.1}
-MISSING = [name for name in ("ixos", "scipy") if importlib.util.find_spec(name) is None]
+MISSING = [name for name in ("ixos", "matplotlib", "scipy") if importlib.util.find_spec(name) is None]
 
 
 class Fit(unittest.TestCase):
@@ -28,7 +28,8 @@ class Fit(unittest.TestCase):
             paths = os.pathsep.join(sys.path)
             done = subprocess.run([sys.executable, "-c", program], cwd=folder, capture_output=True, text=True,
                                   env={**tutorial.recipe.ENVIRONMENT, "PYTHONPATH": paths}, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue((pathlib.Path(folder) / "fit-data.png").exists())
         found = {name: (float(value), float(error)) for name, value, error in
                  re.findall(r"^(\w+) = (\S+) \+- (\S+)", done.stdout, re.MULTILINE)}
         self.assertEqual(found.keys(), KNOWN.keys())

@@ -41,7 +41,7 @@ Message first_motion(const Facts& facts, const Judge& judge) {
 Message cohesive_zone_against_faces(const Facts& facts) {
   return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
     const double length = surface.face_length / own.order;
-    if (surface.work == 0 || length <= surface.cohesive_zone) return Message();
+    if (surface.work == 0 || surface.is_electrode || length <= surface.cohesive_zone) return Message();
     return fmt::format(
         "the cohesive zone, {:.3g} L0, is shorter than the distance of the surface's nodes, {:.3g} L0: forces will "
         "oscillate with the mesh; use faces of at most {:.2g} L0, a richer Contact Element, or check the material's "

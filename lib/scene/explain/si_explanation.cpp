@@ -40,6 +40,9 @@ std::string surface(const SurfaceNumbers& numbers, const Writer& write) {
   if (numbers.never_bonds)
     return fmt::format("  {}: never bonds, so it has no work of adhesion; faces of the mesh {}\n", numbers.name,
                        write(numbers.face_length, "L0"));
+  if (numbers.is_electrode)
+    return fmt::format("  {}: an electrode, largest attraction {}; faces of the mesh {}\n", numbers.name,
+                       write(numbers.peak_traction, "E0"), write(numbers.face_length, "L0"));
   std::string text = fmt::format("  {}: work of adhesion W {}, largest attraction {}, equilibrium gap {}\n",
                                  numbers.name, write(numbers.work, "E0 L0", "J/m^2"),
                                  write(numbers.peak_traction, "E0"), write(numbers.equilibrium_gap, "L0"));

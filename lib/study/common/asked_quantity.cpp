@@ -131,6 +131,11 @@ bool AskedQuantity::is_proportional() const {
   }
 }
 
+std::string AskedQuantity::column_of_unit() const {
+  if (is_proportional()) return column_;
+  return kind_ == Kind::EnergyError || kind_ == Kind::Restitution ? "" : "time";
+}
+
 void AskedQuantity::refuse(const std::string& why) const { throw InputError("\"" + text_ + "\": " + why); }
 
 void AskedQuantity::check_columns(const std::vector<std::string>& names) const {

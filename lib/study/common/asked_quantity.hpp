@@ -83,6 +83,8 @@ class AskedQuantity {
   AskedQuantity of_column(const std::string& column) const;
   /// Returns whether the number grows in proportion to its column; others are times and ratios.
   bool is_proportional() const;
+  /// Returns the column that has the unit of the number: "time" for times; empty for ratios.
+  std::string column_of_unit() const;
   /// Returns whether it has a limit for its column.
   bool has_limit() const { return kind_ == Kind::TimeAbove || kind_ == Kind::TimeBelow; }
 

@@ -93,10 +93,15 @@ bool RunPool::carry_out(const std::vector<StudyRun>& runs, int jobs, const Finis
   return !stopping;
 }
 
-RunPool::Active RunPool::start(const StudyRun& run, std::size_t number, std::string scene) const {
+std::string RunPool::make_folder(const StudyRun& run) const {
   std::error_code code;
   std::filesystem::create_directories(folder(run), code);
   if (code) throw FileError(folder(run) + ": cannot be created: " + code.message());
+  return folder(run);
+}
+
+RunPool::Active RunPool::start(const StudyRun& run, std::size_t number, std::string scene) const {
+  make_folder(run);
   std::filesystem::remove(folder(run) + "/run.json");
   std::filesystem::remove(folder(run) + "/summary.json");
   // A run that did not end is run again: it needs no checkpoints, unless the study sets some. The study may have

@@ -30,6 +30,8 @@ class RunPool {
   explicit RunPool(PoolOptions options);
 
   std::string folder(const StudyRun& run) const { return options_.folder + "/" + run.name; }
+  /// Makes the folder of a run if it is missing, and returns it. Throws FileError.
+  std::string make_folder(const StudyRun& run) const;
 
   /// Limits the time of the runs that start from now on.
   void limit_time(double seconds) { options_.time_limit = seconds; }

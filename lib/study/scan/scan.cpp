@@ -51,31 +51,38 @@ ScanRow row_of(const RunPool& pool, const StudyRun& run, const std::vector<Asked
   return row;
 }
 
-/// Refuses quantities that need a column which the first run lacks, or will lack: so would all others.
-void check_columns(const RunPool& pool, const Scan& scan, const std::string& driver) {
-  const StudyRun& first = scan.runs.front();
-  if (pool.is_done(first)) {
-    const RunRecord record = pool.record(first);
-    if (!record.reached_its_end() && !record.failed_with_rows()) return;
-    const RunHistory history(pool.folder(first));
-    for (const AskedQuantity& quantity : scan.quantities) quantity.check_columns(history.table().names());
-    return;
-  }
+/// Lets the program check a run with the quantities of the scan. Returns whether it can say anything of them.
+bool check_before(const RunPool& pool, const Scan& scan, const StudyRun& run, const std::string& driver) {
   std::string asked;
   for (const AskedQuantity& quantity : scan.quantities) asked += (asked.empty() ? "" : ", ") + quantity.text();
   std::vector<std::string> command{driver, scan.scene, "--check"};
-  for (const std::string& assignment : first.settings) command.insert(command.end(), {"--set", assignment});
+  for (const std::string& assignment : run.settings) command.insert(command.end(), {"--set", assignment});
   command.insert(command.end(), {"--set", "Output/Quantities={" + asked + "}"});
-  std::error_code code;
-  std::filesystem::create_directories(pool.folder(first), code);  // a run says what is wrong with its folder
-  const std::string log = pool.folder(first) + "/log.txt";
-  if (ChildProcess(command, log).wait().exit_status != 2) return;
-  // What else is wrong with the first run need not be so with the others.
+  const std::string log = pool.make_folder(run) + "/log.txt";
+  if (ChildProcess(command, log).wait().exit_status == 0) return true;
   const std::string place = "Output/Quantities: ";
   std::ifstream told = open_text(log);
   for (std::string line; std::getline(told, line);)
     if (const auto found = line.find(place); found != std::string::npos)
-      throw InputError(line.substr(found + place.size()));
+      throw InputError((scan.collects ? "--collect: " : place) + line.substr(found + place.size()));
+  return false;
+}
+
+/// Refuses quantities that need a column which the runs lack, or will lack: that of the first run that can say so.
+void check_columns(const RunPool& pool, const Scan& scan, const std::string& driver) {
+  for (const StudyRun& run : scan.runs) {
+    if (!pool.is_done(run)) {
+      if (check_before(pool, scan, run, driver)) return;
+      continue;
+    }
+    const RunRecord record = pool.record(run);
+    if (!record.reached_its_end() && !record.failed_with_rows()) continue;
+    const RunHistory history(pool.folder(run));
+    at(scan.collects ? "--collect" : "Output/Quantities", [&] {
+      for (const AskedQuantity& quantity : scan.quantities) quantity.check_columns(history.table().names());
+    });
+    return;
+  }
 }
 
 void name_apart(std::vector<VariedParameter>& varied) {
@@ -102,7 +109,7 @@ std::vector<AskedQuantity> quantities_of(Teuchos::ParameterList& scene) {
 
 Scan read_scan(const std::string& scene, const Assignments& common, const std::vector<std::string>& varied,
                const std::vector<std::string>& quantities) {
-  Scan scan{scene, common, {}, {}, {}};
+  Scan scan{scene, common, {}, {}, !quantities.empty(), {}};
   for (const std::string& text : varied) {
     scan.varied.push_back(read_varied(text));
     for (std::size_t i = 0; i + 1 < scan.varied.size(); ++i)

@@ -15,6 +15,7 @@ struct Scan {
   Assignments common;  ///< changes of the scene in all runs
   std::vector<VariedParameter> varied;
   std::vector<AskedQuantity> quantities;
+  bool collects = false;       ///< the quantities are the user's, not those of the scene
   std::vector<StudyRun> runs;  ///< all combinations of the values, the last parameter running fastest
 };
 
@@ -46,8 +47,9 @@ Scan read_scan(const std::string& scene, const Assignments& common, const std::v
                const std::vector<std::string>& quantities);
 
 /// Carries out the runs that have no result yet, each as a process, and writes scan.csv and scan.json. A
-/// scan may be killed at any time, and resumes from the runs that are done. Throws InputError, also for a quantity that
-/// needs a column which history.csv lacks, and if the folder holds the results of another scan; and FileError.
+/// scan may be killed at any time, and resumes from the runs that are done. Throws FileError, and InputError if the
+/// folder holds the results of another scan, or if a quantity needs a column which history.csv lacks: the program
+/// checks that before the first run, and leaves no new folder then.
 ScanOutcome run_scan(const Scan& scan, const ScanOptions& options);
 
 }  // namespace ixos

@@ -64,7 +64,11 @@ void write_scan(const Scan& scan, const std::vector<ScanRow>& rows, const ScanOp
                               {"values", values}});
   }
   json["quantities"] = nlohmann::ordered_json::array();
-  for (const AskedQuantity& quantity : scan.quantities) json["quantities"].push_back(quantity.text());
+  json["unit_columns"] = nlohmann::ordered_json::array();  // by quantity the column that has its unit
+  for (const AskedQuantity& quantity : scan.quantities) {
+    json["quantities"].push_back(quantity.text());
+    json["unit_columns"].push_back(quantity.column_of_unit());
+  }
   write_whole_file(options.folder + "/scan.csv", csv(scan, rows));
   write_whole_file(options.folder + "/scan.json",
                    json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -10,9 +10,10 @@ namespace ixos {
 struct VariedParameter : Axis {
   std::string path;          ///< "List/Sublist/Name"
   bool logarithmic = false;  ///< the values have equal ratios
-  std::string unit;          ///< of plain numbers, "E0"; empty if they have none
+  std::string unit;          ///< of plain numbers, "E0", which read_scan() fills in; empty if they have none
 
-  bool has_plain_numbers() const;  ///< or words, arrays, numbers with units
+  /// Returns whether all values are plain numbers.
+  bool has_plain_numbers() const;
 };
 
 /// Reads "List/Sublist/Name=from:to:number" for so many numbers at equal distances, with ":log" behind for equal

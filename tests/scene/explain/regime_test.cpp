@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/explain/si_explanation.hpp"
 #include "scene/simulation.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
@@ -40,6 +41,24 @@ TEST(RegimeTest, RoundSurfacesGoByTheirTaborNumber) {
     test::expect_contains(regime_in_words(ball), words);
   }
   EXPECT_EQ(regime_in_words(SurfaceNumbers()), "");
+}
+
+TEST(RegimeTest, AnElectrodeHasNone) {
+  const Simulation simulation(
+      test::scene(test::list("Mesh", test::word("Type", "Box")) +
+                  test::list("Materials", test::list("Body", test::number("Density", 1))) +
+                  test::list("Interactions",
+                             test::list("Wall", test::word("Side Set", "bottom") + test::numbers("Point", {0, -1}) +
+                                                    test::word("Law", "Electrostatic") +
+                                                    test::list("Electrostatic", test::number("Voltage", 0.1) +
+                                                                                    test::number("Permittivity", 1) +
+                                                                                    test::number("Insulation", 0.1)))) +
+                  test::time_integrator("Newmark", 0.1, 1)),
+      test::world());
+  const SurfaceNumbers& electrode = simulation.characteristic_numbers().surfaces.at(0);
+  EXPECT_GT(electrode.work, 0);
+  EXPECT_EQ(regime_in_words(electrode), "");
+  EXPECT_EQ(explain_numbers(simulation).find("cohesive zone"), std::string::npos);
 }
 
 TEST(RegimeTest, ExtentsAreThoseOfTheFace) {

@@ -186,6 +186,15 @@ TEST(SceneUnitsTest, TheDimensionOfAMeshFromAFileCompletesItsUnits) {
   EXPECT_EQ(values(0).find(load + "Vector"), std::string::npos) << "nothing tells whether it is per depth";
 }
 
+TEST(SceneUnitsTest, AParameterHasTheUnitOfItsUse) {
+  const std::string load = "Boundary Conditions/Load/";
+  const ParameterList scene = complete("strip.xml", {load + "Type=Body Force", load + "Vector={0, 1}"});
+  EXPECT_EQ(unit_of(scene, "Materials/Strip/Young's Modulus"), "E0");
+  EXPECT_EQ(unit_of(scene, load + "Vector"), "E0/L0");
+  EXPECT_EQ(unit_of(scene, "Materials/Strip/Poisson's Ratio"), "");
+  EXPECT_EQ(unit_of(scene, "Materials/Strip/Young"), "");
+}
+
 TEST(SceneUnitsTest, TheSceneOfTheGuideIsTheBall) {
   const std::string file = std::string(IXOS_TEST_DIRECTORY) + "/guide/ball-si.xml";
   const ParameterList scene = complete_scene(read_scene_file(file)), ball = complete("ball.xml", {});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/read/scene_units.hpp"
+#include "scene/simulation.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
 
@@ -126,6 +127,17 @@ TEST(StagesTest, ListsAddUpAndLeaveOut) {
 TEST(StagesTest, UnitsAreThoseOfTheScene) {
   const std::string ns = list("Time Integrator", list("Time Step Control", word("Final Time", "2 us")));
   EXPECT_EQ(Stages(scene(list("Press", "") + list("Pull", ns))).planned_ends(), (std::vector<double>{6, 2006}));
+}
+
+TEST(StagesTest, ARampMayOutlastAStageButNotTheLast) {
+  const auto notes = [](double end) {
+    const Simulation simulation(scene(list("Press", control(0.5, 2)) + list("Pull", control(0.5, end))), test::world());
+    std::string all;
+    for (const std::string& note : simulation.notes()) all += note + "\n";
+    return all;
+  };
+  EXPECT_EQ(notes(6).find("ramp"), std::string::npos);
+  test::expect_contains(notes(1), "Stages/Pull: Histories/Lift: the ramp ends at t = 4 T0, after the Final Time 3");
 }
 
 TEST(StagesTest, RefusalsNameTheStage) {
