@@ -7,10 +7,20 @@ INCREMENT_COLUMNS = [Column("scheme"), Column("an increment, to Newmark's", "{:.
                      Column("ms an increment", "{:.3f}")]
 
 
+SOLVER = "Linear Solver/Linear Solver Type"
+BY_KLU = "Energy-Momentum with KLU"  # the solver of its unsymmetric matrices before Band had one
+
+
+def settings_of(scheme):
+    """Returns the settings of a scheme, or of one with a direct solver: "Energy-Momentum with KLU"."""
+    name, _, solver = scheme.partition(" with ")
+    return [f"{SCHEME}={name}", *([f"{SOLVER}=Direct", f"{SOLVER}s/Direct/Solver Type={solver}"] if solver else [])]
+
+
 def measure(context, scene, end, schemes, repeats, settings=()):
     """Runs a scene to a time with schemes in turns. Returns a Sample by scheme; `end` is a full and a short time."""
     def figures(scheme):
-        done = context.run(scene, [*settings, f"{SCHEME}={scheme}", f"{FINAL_TIME}={context.pick(*end)}"])
+        done = context.run(scene, [*settings, *settings_of(scheme), f"{FINAL_TIME}={context.pick(*end)}"])
         seconds, newton = done["wall_seconds"], done["newton_iterations"]
         found = {"increment": seconds / done["steps"], "iterations": newton / done["steps"]}
         if newton:  # an explicit scheme has none

@@ -66,7 +66,7 @@ POINTS = (2, 3, 4, 5, 6, 8, 10, 12, 16)
 
 def measure_increment(context):
     """No frames, and no enrichment: the schemes' own cost."""
-    samples = increments.measure(context, "strip", (60, 2), SCHEMES, 3,
+    samples = increments.measure(context, "strip", (60, 2), (*SCHEMES, increments.BY_KLU), 3,
                                  [f"{ELEMENT}=Q1C1", *context.pick([], SHORT)])
     return increments.increment_rows(samples)
 

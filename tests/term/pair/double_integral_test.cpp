@@ -10,6 +10,7 @@
 #include "support/comparison.hpp"
 #include "support/pair_checks.hpp"
 #include "support/reports.hpp"
+#include "support/sanitized.hpp"
 #include "support/simplices.hpp"
 #include "support/tangents.hpp"
 #include "term/pair/dense_pairs.hpp"
@@ -122,7 +123,8 @@ TEST(DoubleIntegralTest, RanksDoNotMatter) {
     }
   }
   ASSERT_EQ(own.size(), f.size());
-  EXPECT_EQ(test::distance(own, f), 0);
+  // Under sanitizers the library fuses other operations than this test.
+  EXPECT_LE(test::distance(own, f), test::sanitized() ? 1e-15 : 0);
 }
 
 /// Overlaps are found by the least distance.
