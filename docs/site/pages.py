@@ -13,7 +13,7 @@ import sys
 CONTENTS = {
     "Guide": ["docs/user-guide", "docs/python", "docs/embedding", "docs/embedding-evaluator", "docs/embedding-stepping",
               "docs/meshes", "docs/packages"],
-    "Help by need": ["docs/help/"],
+    "Help by need": ["docs/help/", "docs/tutorials/scan-20/", "docs/tutorials/fit-data/"],
     "Tutorials": ["docs/tutorials/"],
     "Cookbook": ["docs/cookbook/"],
     "Examples": ["docs/examples/"],

@@ -11,6 +11,7 @@
 #include "base/printable.hpp"
 #include "base/text.hpp"
 #include "console.hpp"
+#include "ixos-study/jobs.hpp"
 #include "parameters/scene_node.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
@@ -94,6 +95,7 @@ int advise(const AdviceArguments& arguments, const std::string& output, const st
       console::say("{}\n", printable(line));
       std::fflush(stdout);
     };
+  if (!quiet) note_jobs(options.jobs);
   catch_signals();
   const Advice advice = advise(question, options);
   if (advice.status == AdviceStatus::Interrupted) {

@@ -21,6 +21,7 @@
 #include "io/child_process.hpp"
 #include "io/drawing.hpp"
 #include "ixos-study/advise.hpp"
+#include "ixos-study/jobs.hpp"
 #include "ixos-study/scan.hpp"
 #include "parameters/assignments.hpp"
 #include "scene/explain/documentation.hpp"
@@ -151,6 +152,7 @@ int run(const Arguments& arguments) {
       print_run(result, done, result.run.labels.empty() ? 1 : study.runs.size(), study.question.measure, reused);
     };
   ixos::catch_signals();
+  if (!arguments.quiet) ixos::note_jobs(study.jobs);
   const ixos::StudyOutcome outcome = ixos::run_study(study, options);
   if (outcome.status == ixos::StudyStatus::ReferenceFailed) {
     const ixos::StudyResult& reference = outcome.results.front();

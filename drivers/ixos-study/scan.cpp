@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <thread>
 
 #include "base/printable.hpp"
 #include "console.hpp"
+#include "ixos-study/jobs.hpp"
 #include "scan_command.hpp"
 #include "signals.hpp"
 #include "study/scan/scan_table.hpp"
@@ -63,9 +63,7 @@ int scan(const ScanArguments& arguments, const ScanSettings& settings) {
       console::say("{}: {}\n", run.name, printable(fmt::format("{}", fmt::join(run.settings, "; "))));
     return 0;
   }
-  const auto processors = static_cast<int>(std::thread::hardware_concurrency());
-  if (!settings.quiet && processors > 0 && settings.jobs > processors)
-    console::say("Note: {} jobs share {} processors: each run takes longer\n", settings.jobs, processors);
+  if (!settings.quiet) note_jobs(settings.jobs);
   ScanOptions options;
   options.folder = scan_folder(arguments, settings.output);
   options.driver = settings.driver;

@@ -59,10 +59,7 @@ class Fields:
 
     def nodes_of(self, name):
         """The nodes of a node set or a side set."""
-        sets = {**self._file.side_set_nodes, **self._file.node_sets}
-        if name not in sets:
-            raise ResultsError(f"{self.path} has no set '{name}'; it has {', '.join(sorted(sets))}")
-        return sets[name]
+        return self._file.nodes(name)
 
     def displacement(self, frame):
         """Displacements: a row a node."""

@@ -25,6 +25,7 @@ Configurations need fields.e (the scene must set Output/Fields Interval). An arr
 scene pulls, the longest one the largest force drawn. Forces and energies of plane bodies are per depth. The other
 scripts draw more, and compare runs: they are in drivers/plot, and in share/ixos/plot of an installed Ixos."""
 
+WIDTH, LETTERS = 7.6, 110  # inches of a figure, and of its headline
 PANELS, NARROW = 4, 5.0  # configurations; inches of a figure that has room for half of them
 
 
@@ -71,17 +72,22 @@ def draw_arrow(axes, arrow):
 
 
 def frames_that_matter(run, fields, count):
-    """Frames from the first to the last at equal distances; the one nearest to the largest force is among them."""
+    """So many frames, from the first to the last at equal distances. Among them are the one at the largest force, or
+    else the last before it and, of four or more, the first after it."""
     import fields as configurations  # VTK, too
     frames = configurations.chosen_frames(fields, None, count)
     if not any(np.isfinite(values).any() for _, _, values in run.reactions()):
         return frames
     _, times, values = pull.force(run)
-    peak = fields.nearest_frame(times[np.nanargmax(np.abs(values))])
-    if peak in frames or len(frames) < 2:
-        return frames
-    middle = frames[1:-1] or frames[:1]
-    return sorted({peak, *frames} - {min(middle, key=lambda frame: abs(frame - peak))})
+    at = times[np.nanargmax(np.abs(values))]
+    near = 1e-6 * (fields.times[-1] - fields.times[0])
+    before, after = np.flatnonzero(fields.times <= at + near), np.flatnonzero(fields.times >= at - near)
+    wanted = {int(frame) for frame in (*before[-1:], *(after[:1] if len(frames) > 3 else ()))}
+    others = [frame for frame in frames if frame not in wanted]
+    while others and len(others) + len(wanted) > len(frames):  # the ends go last
+        inner = [frame for frame in others if frame not in (frames[0], frames[-1])] or others
+        others.remove(min(inner, key=lambda frame: min(abs(frame - one) for one in wanted)))
+    return sorted(wanted.union(others))
 
 
 def draw_configurations(figure, run, fields):
@@ -163,14 +169,14 @@ def panels(run):
 
 
 def headline(run):
-    """Scheme and step; how the run ended where it did not come to its end."""
+    """Scheme and step; how the run ended where it did not come to its end. A narrow figure has shorter lines."""
     status, reason = run.summary.get("status"), run.summary.get("reason")
     words = [word for word in run.traits() if word not in (None, UNDAMPED)]
     if not status:
         words.append("not ended")
     elif status != "completed":
         words.append(status + (f": {reason}" if reason else ""))
-    return textwrap.fill(", ".join(words), 110)
+    return textwrap.fill(", ".join(words), max(40, int(LETTERS * min(1, (style.output.width or WIDTH) / WIDTH))))
 
 
 def main():
@@ -196,7 +202,7 @@ def main():
     if not rows and fields is None:
         raise ResultsError(f"{run.folder} has nothing that can be drawn: no frames, reactions, energies or gaps")
     heights = [1.05 * height for height, _ in rows]
-    figure = plt.figure(figsize=(7.6, sum(heights) + 0.9 + (2.1 if fields else 0)), layout="constrained")
+    figure = plt.figure(figsize=(WIDTH, sum(heights) + 0.9 + (2.1 if fields else 0)), layout="constrained")
     parts = figure.subfigures(2 if fields and rows else 1, 1, squeeze=False,
                               height_ratios=[2.1, sum(heights) + 0.6] if fields and rows else None)[:, 0]
     if fields:

@@ -87,7 +87,8 @@ class Fields:
 
     times: of the frames. dimension: 2 or 3. points: reference coordinates, a row a node. cells: the nodes of each cell,
     a row a cell; -1 stands behind the nodes of cells with fewer than others. mesh_nodes: for each node its number in
-    the mesh, from 0. blocks and node_sets: numbers of cells and of nodes by name; side_set_nodes: those of side sets.
+    the mesh, from 0. blocks and node_sets: numbers of cells and of nodes by name; side_set_nodes: those of side sets;
+    nodes(name): those of either.
     totals: the global variables of all frames, such as total_energy, by name. Nodes and cells are in the order of the
     mesh, whatever the number of ranks.
 
@@ -136,6 +137,13 @@ class Fields:
             return {name: np.unique(np.concatenate(nodes)) for name, nodes in sets.items()}
 
         self.node_sets, self.side_set_nodes = joined("node_sets"), joined("side_sets")
+
+    def nodes(self, name: str) -> np.ndarray:
+        """Returns the numbers of the nodes of a node set or a side set of the scene: "bottom"."""
+        sets = {**self.side_set_nodes, **self.node_sets}
+        if name not in sets:
+            raise FileError(f"{self.path} has no set '{name}'; it has {', '.join(sorted(sets))}")
+        return sets[name]
 
     def __iter__(self):
         return (name for name, (_, parts) in self._columns.items() if not any(

@@ -11,11 +11,12 @@ import result_files
 import style
 import units
 from results import ResultsError
-from study import plain, save
+from study import plain
 from style import plt
 
 EPILOG = """Examples:
-  scan.py pillar-scan.results     -> pillar-scan.results/scan.png, .svg
+  scan.py pillar-scan.results                      -> pillar-scan.results/scan.png, .svg
+  scan.py pillar-scan.results --pdf --width 86mm   -> pillar-scan.results/scan.pdf, too
 
 The script reads scan.csv and scan.json, which ixos-study --scan writes. The first parameter is the horizontal axis; of
 several, each combination of the others has a line. Runs without a value leave a gap. Units are those of the scene."""
@@ -101,9 +102,12 @@ def main():
     plt.rcParams["svg.hashsalt"] = "scan"
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folder", metavar="FOLDER", help="results folder of a scan (with scan.csv and scan.json)")
-    folder = pathlib.Path(parser.parse_args().folder)
+    parser.add_figure()
+    parser.set_defaults(format=["png", "svg"])
+    arguments = parser.parse_args()
+    folder = pathlib.Path(arguments.folder)
     asked, rows, runs = read(folder)
-    save(draw(asked, rows, units_of_results(folder, runs)), folder / "scan")
+    style.save(draw(asked, rows, units_of_results(folder, runs)), folder / "scan", arguments.format)
 
 
 if __name__ == "__main__":

@@ -41,9 +41,8 @@ std::string no_equilibrium(const Model& model, const State& start, double dt, co
   }
   const bool driven = has_springs(model) || model.space().maximum(model.constraints().driven() ? 1 : 0) > 0;
   if (!grows && (driven || found == 0))
-    return fmt::format(
-        "no equilibrium found beyond t = {:.6g} T0; use shorter steps (Maximum Cuts), or a dynamic scheme: {}", time,
-        detail);
+    return fmt::format("no equilibrium found beyond t = {:.6g} T0; use shorter steps, or a dynamic scheme: {}", time,
+                       detail);
   return fmt::format(
       "no equilibrium found {} a load of {:.6g} {}, reached at t = {:.6g} T0; control the displacement, or use a "
       "dynamic scheme: {}",

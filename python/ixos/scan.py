@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 import pathlib
+import warnings
 from typing import Any, Callable, Iterable, Mapping
 
 import numpy as np
@@ -41,6 +42,8 @@ def scan(scene: str | os.PathLike, vary: Mapping[str, str | Iterable], collect: 
     for number in numbers:
         if numbers.count(number) > 1 or number in _REST or number in [path.rpartition("/")[2] for path in vary]:
             raise InputError(f"collect: two columns would have the name \"{number}\"")
+    if jobs > (os.cpu_count() or jobs):
+        warnings.warn(f"{jobs} jobs share {os.cpu_count()} processors: each run takes longer", stacklevel=2)
     folder = os.fspath(output) if output is not None else pathlib.Path(scene).stem + "-scan.results"
     names, quantities, rows = _core.scan(
         os.fspath(scene), [f"{path}={text(values)}" for path, values in vary.items()], numbers, words(set), folder,

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+import unittest.mock
 
 import numpy as np
 from PIL import Image
@@ -60,6 +61,18 @@ class OverviewTest(ScriptTest):
         lines = overview.headline(run).splitlines()
         self.assertTrue(" ".join(lines).endswith("diverged: " + reason))
         self.assertLessEqual(max(map(len, lines)), 110)
+        with unittest.mock.patch.object(style, "output", style.output._replace(width=86 / 25.4)):
+            lines = overview.headline(run).splitlines()
+        self.assertTrue(" ".join(lines).endswith("diverged: " + reason))
+        self.assertLessEqual(max(map(len, lines)), 50)
+
+    def test_frames_are_those_around_the_largest_force(self):
+        import overview
+        import pull
+        run, fields = Run(self.strip), Fields(self.strip)  # frames from 0 to 6
+        for peak, count, frames in ((2.6, 4, [0, 2, 3, 6]), (3, 4, [0, 3, 4, 6]), (6, 4, [0, 2, 4, 6]), (2.6, 2, [2, 6])):
+            with unittest.mock.patch.object(pull, "force", lambda _, at=peak: ("", np.array([0, at]), np.array([1, 9]))):
+                self.assertEqual(overview.frames_that_matter(run, fields, count), frames)
 
     def test_curves_along_a_surface_are_those_of_the_force(self):
         folder = self.folder / "along"

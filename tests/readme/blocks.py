@@ -21,7 +21,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 README = ROOT / "README.md"
 TUTORIALS = ("docs/tutorials/mushroom-pillar/mushroom-pillar.md", "docs/tutorials/scan-20/scan-20.md")
-COPIED = re.compile(r"^    ((?:ixos|ixos-study|docs/\S+|drivers/\S+) (?:[^\n]*\\\n)*[^\n]*|docs/\S+)$", re.MULTILINE)
+COPIED = re.compile(r"^ {4,6}((?:ixos|ixos-study|docs/\S+|drivers/\S+) (?:[^\n]*\\\n)*[^\n]*|docs/\S+)$", re.MULTILINE)
 # As docs/tutorials/README.md says.
 BUILT = "PATH=$PWD/build/release/drivers:$PATH PYTHONPATH=build/release/python "
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)

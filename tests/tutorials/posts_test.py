@@ -47,6 +47,12 @@ class Posts(unittest.TestCase):
         self.assertLess(force.max(), 0.9 * 4 * 2 * STRENGTH)
         self.assertGreater(summary["jumps"]["count"], 1)
 
+    def test_the_table_has_strength_times_area_for_posts_of_one_height(self):
+        rows = re.findall(r"^\| (\S+) \| 0 \| (\S+) \| E0 L0(²?) \| 1 \| [\d.]+ s \|$", PAGE, re.MULTILINE)
+        self.assertEqual([row[0] for row in rows], ["1", "16", "64", "4x4", "8x8"])
+        for _, force, space in rows:
+            self.assertLess(abs(float(force) / ((4 if space else 2) * STRENGTH) - 1), 0.01)
+
     def test_the_scene_has_bonded_parts(self):
         import ixos
         scene = ixos.Scene.parse("<ParameterList name=\"Posts\">" + block("xml") + "</ParameterList>")

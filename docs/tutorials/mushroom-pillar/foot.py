@@ -16,7 +16,7 @@ from matplotlib import pyplot  # noqa: E402
 def foot(results, frame):
     """Returns radius [um], traction [kPa], positive in tension, and gap [nm] of the nodes of the foot, by radius."""
     fields = results.fields
-    nodes = fields.node_sets["bottom_nodes"]  # the side set has the name "bottom" in fields.e
+    nodes = fields.nodes("bottom")
     nodes = nodes[np.argsort(fields.points[nodes, 0])]
     return (fields.points[nodes, 0], -1000 * fields.at("contact_pressure", frame)[nodes],
             1000 * fields.at("gap", frame)[nodes])

@@ -53,9 +53,8 @@ double least_strength(const SurfaceNumbers& surface) {
 std::string regime_in_words(const SurfaceNumbers& surface) {
   if (!(surface.work > 0) || surface.is_electrode) return "";
   if (surface.radius > 0) return of_round(surface);
-  // A surface that is neither flat nor round has no regime.
   const bool is_flat = surface.largest_gap - surface.least_gap < 0.02 * surface.extent;
-  return is_flat ? of_flat(surface) : "";
+  return is_flat ? of_flat(surface) : "neither flat nor round: it has no regime";
 }
 
 }  // namespace ixos

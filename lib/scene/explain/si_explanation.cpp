@@ -90,6 +90,10 @@ std::string explain_numbers(const Simulation& simulation) {
       "Numbers that follow from them:\n";
   for (const BodyNumbers& numbers : simulation.characteristic_numbers().bodies) text += body(numbers, write);
   for (const SurfaceNumbers& numbers : simulation.characteristic_numbers().surfaces) text += surface(numbers, write);
+  for (const SceneInteraction& interaction : simulation.interactions())
+    if (interaction.is_pair())
+      text += fmt::format("  {}: two surfaces, for which Ixos knows no cohesive zone and no Tabor number\n",
+                          interaction.node.name());
   return text + gravity(simulation, write);
 }
 

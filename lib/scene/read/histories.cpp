@@ -86,10 +86,13 @@ std::vector<std::string> Histories::notes() const {
   std::vector<std::string> notes;
   for (const SceneNode& node : list_.sublists()) {
     if (is_given(node.name())) continue;
-    const double end = functions_.at(node.name())->ramp_end();
-    if (end > final_time_ + 1e-9 * (final_time_ - initial_time_))
-      notes.push_back(placed(node.path(), fmt::format("the ramp ends at t = {} T0, after the Final Time {} of the run",
-                                                      end, final_time_)));
+    const TimeFunction& function = *functions_.at(node.name());
+    const bool is_table = std::isfinite(function.last_time());
+    const double end = is_table ? function.last_time() : function.ramp_end();
+    if (end <= final_time_ + 1e-9 * (final_time_ - initial_time_)) continue;
+    if (is_table && function.at(end).value == function.at(final_time_).value) continue;  // it only holds
+    notes.push_back(placed(node.path(), fmt::format("the {} ends at t = {} T0, after the Final Time {} of the run",
+                                                    is_table ? "table" : "ramp", end, final_time_)));
   }
   return notes;
 }

@@ -19,8 +19,7 @@ void add_settings(List& list, const char* name, const char* documentation) {
 List make() {
   List study("Study");
   study.set("Scene", required, "Path of the scene file, relative to the study's folder.");
-  study.set("Jobs", 1, "Number of runs at the same time. Two runs affect each other's wall-clock times.",
-            between(1, 2));
+  study.set("Jobs", 1, "Number of runs at the same time. They affect each other's wall-clock times.", between(1, 1024));
   study.set("Time Limit", 0.0,
             "Seconds of wall-clock time after which a run is stopped and counts as failed. 0: no limit.", at_least(0));
   add_settings(study, "Common",
