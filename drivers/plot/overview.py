@@ -72,8 +72,8 @@ def draw_arrow(axes, arrow):
 
 
 def frames_that_matter(run, fields, count):
-    """So many frames, from the first to the last at equal distances. Among them are the one at the largest force, or
-    else the last before it and, of four or more, the first after it."""
+    """So many frames, the last one among them, from the first on at equal distances. Among them are the one at the
+    largest force, or else the last before it and, of four or more, the first after it."""
     import fields as configurations  # VTK, too
     frames = configurations.chosen_frames(fields, None, count)
     if not any(np.isfinite(values).any() for _, _, values in run.reactions()):
@@ -84,8 +84,8 @@ def frames_that_matter(run, fields, count):
     before, after = np.flatnonzero(fields.times <= at + near), np.flatnonzero(fields.times >= at - near)
     wanted = {int(frame) for frame in (*before[-1:], *(after[:1] if len(frames) > 3 else ()))}
     others = [frame for frame in frames if frame not in wanted]
-    while others and len(others) + len(wanted) > len(frames):  # the ends go last
-        inner = [frame for frame in others if frame not in (frames[0], frames[-1])] or others
+    while others and len(others) + len(wanted) > len(frames):
+        inner = [frame for frame in others if frame not in (frames[0], frames[-1])] or others[:1]
         others.remove(min(inner, key=lambda frame: min(abs(frame - one) for one in wanted)))
     return sorted(wanted.union(others))
 

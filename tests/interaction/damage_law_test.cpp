@@ -9,6 +9,7 @@
 #include "interaction/gap_law.hpp"
 #include "support/derivative.hpp"
 #include "support/refusal.hpp"
+#include "support/sanitized.hpp"
 
 namespace ixos {
 namespace {
@@ -151,8 +152,10 @@ TEST(DamageLawTest, StiffnessesAndPotentialsAreDerivatives) {
         EXPECT_NEAR(frozen.mean_traction(a, b)[0] * (b - a), frozen.energy(a)[0] - frozen.energy(b)[0], 1e-16);
       }
     for (const double a : {-0.3, 0.1, 1.3, 2.2}) {
-      EXPECT_DOUBLE_EQ(frozen.mean_traction(a, a)[0], frozen.traction(a)[0]);
-      EXPECT_DOUBLE_EQ(frozen.mean_stiffness(a, a)[0], frozen.stiffness(a)[0] / 2);
+      // Under sanitizers the library fuses other operations than this test.
+      const double rounding = test::sanitized() ? 1e-16 : 0;
+      EXPECT_NEAR(frozen.mean_traction(a, a)[0], frozen.traction(a)[0], rounding);
+      EXPECT_NEAR(frozen.mean_stiffness(a, a)[0], frozen.stiffness(a)[0] / 2, rounding);
       EXPECT_EQ(frozen.mean_potential(a, a)[0], 0);
     }
   }

@@ -143,9 +143,7 @@ class OverviewTest(ScriptTest):
             for count in (2, 4):
                 frames = overview.frames_that_matter(run, fields, count)
                 self.assertIn(peak, frames)
-                self.assertEqual(len(frames), count)
-                if count > 2:
-                    self.assertEqual((frames[0], frames[-1]), (0, len(fields.times) - 1))
+                self.assertEqual((len(frames), frames[-1]), (count, len(fields.times) - 1))
         run.reaction = kept
 
     def test_the_arrow_of_a_body_of_revolution_is_along_its_axis(self):

@@ -7,15 +7,14 @@
 # stands beside the objects of the release build, and all else is that of the release build.
 part=${1:?headers, bodies, steps or scenes}
 shift
-targets=unit_tests
+targets="unit_tests ixos_sanitized_$part"
 case $part in
-  headers) targets=sanitized_tests tests='' ;;
+  headers) targets=sanitized_tests ;;
   bodies) tests='base|fem|guide|interaction|material|mesh|meshes|model|solve|term' ;;
   steps) tests='checkpoint|costs|driver|hdf5_fields|restart|restart_obstacles|run|solve|time' ;;
   scenes) tests='base|corpus|driver|guide|io|scene|study|study_driver|units' ;;
   *) echo "tests/sanitizers/run.sh: $part is none of headers, bodies, steps, scenes" >&2 && exit 2 ;;
 esac
-[ "$part" = headers ] || targets+=" ixos_sanitized_$part"
 [ "$part" != steps ] || targets+=" ixos_sanitized_steps_solvers"
 . "$(dirname "${BASH_SOURCE[0]}")/../../drivers/common.sh"
 export ASAN_OPTIONS=detect_leaks=0 # MPI keeps what it allocates

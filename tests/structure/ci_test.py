@@ -4,9 +4,10 @@
     tests/structure/ci_test.py BUILD_FOLDER
 
 Each long test is in one slice, each folder of the library and each unit test in one that runs it under sanitizers, each
-source in one that runs clang-tidy. tests/bench/short.py has each file of tests/bench, and tests/readme/blocks.py has no command that the README
-does not have. The record is sound, and names slices that exist and do not take too long. Every slice has a program and
-its turn. tests/packages/install.sh runs all tests of debian/tests/control. The exit status is 1 if not.
+source in one that runs clang-tidy. tests/bench/short.py has each file of tests/bench, and tests/readme/blocks.py has no
+command that the README does not have. The record is sound, and names slices that exist and do not take too long. Every
+slice has a program and its turn. tests/packages/install.sh runs all tests of debian/tests/control. The exit status is 1
+if not.
 """
 import collections
 import json

@@ -42,7 +42,7 @@ class Histories {
   bool is_given(const std::string& name) const { return given_.count(name) > 0; }
   /// Returns the functions of the program.
   const GivenHistories& given() const { return given_; }
-  /// Returns a note for each ramp that the run does not see to its end.
+  /// Returns a note for each ramp, and each table that still changes, that the run does not see to its end.
   std::vector<std::string> notes() const;
 
  private:

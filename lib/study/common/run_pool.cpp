@@ -12,7 +12,6 @@
 #include <type_traits>
 
 #include "base/error.hpp"
-#include "io/child_process.hpp"
 #include "io/disk_file.hpp"
 
 namespace ixos {
@@ -93,11 +92,17 @@ bool RunPool::carry_out(const std::vector<StudyRun>& runs, int jobs, const Finis
   return !stopping;
 }
 
-std::string RunPool::make_folder(const StudyRun& run) const {
+void RunPool::make_folder(const StudyRun& run) const {
   std::error_code code;
   std::filesystem::create_directories(folder(run), code);
   if (code) throw FileError(folder(run) + ": cannot be created: " + code.message());
-  return folder(run);
+}
+
+/// Starts the program with the run's scene and settings, and with these options before the settings.
+ChildProcess RunPool::begin(const StudyRun& run, std::vector<std::string> options) const {
+  options.insert(options.begin(), {options_.driver, options_.scene});
+  for (const std::string& assignment : run.settings) options.insert(options.end(), {"--set", assignment});
+  return {options, log(run)};
 }
 
 RunPool::Active RunPool::start(const StudyRun& run, std::size_t number, std::string scene) const {
@@ -106,10 +111,15 @@ RunPool::Active RunPool::start(const StudyRun& run, std::size_t number, std::str
   std::filesystem::remove(folder(run) + "/summary.json");
   // A run that did not end is run again: it needs no checkpoints, unless the study sets some. The study may have
   // changed since the results in its folder were written.
-  std::vector<std::string> command{options_.driver, options_.scene, "--quiet", "--output",
-                                   folder(run),     "--overwrite",  "--set",   "Output/Checkpoint/Keep=0"};
-  for (const std::string& assignment : run.settings) command.insert(command.end(), {"--set", assignment});
-  return {number, std::move(scene), ChildProcess(command, folder(run) + "/log.txt")};
+  return {number, std::move(scene),
+          begin(run, {"--quiet", "--output", folder(run), "--overwrite", "--set", "Output/Checkpoint/Keep=0"})};
+}
+
+int RunPool::check(const StudyRun& run, const std::string& setting) const {
+  make_folder(run);
+  StudyRun changed = run;
+  changed.settings.push_back(setting);
+  return begin(changed, {"--check"}).wait().exit_status;
 }
 
 /// Returns whether the run has ended, after writing its record. Ends a run that exceeds the time limit.
@@ -169,8 +179,8 @@ RunRecord RunPool::record(const StudyRun& run) const {
   if (const double limit = entry(file, "time_limit", 0.0); limit > 0 || (status != 0 && status != 3)) {
     record.status = "failed";
     record.refused = status == 2;
-    record.reason = limit > 0 ? fmt::format("not finished after the time limit of {:.3g} s", limit)
-                              : last_line(folder(run) + "/log.txt");
+    record.reason =
+        limit > 0 ? fmt::format("not finished after the time limit of {:.3g} s", limit) : last_line(log(run));
     if (limit == 0 && status > 128) record.reason = fmt::format("ended by signal {}", status - 128);
     record.wall_seconds = limit;
     return record;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/child_process.hpp"
 #include "study/common/run_record.hpp"
 
 namespace ixos {
@@ -30,8 +31,6 @@ class RunPool {
   explicit RunPool(PoolOptions options);
 
   std::string folder(const StudyRun& run) const { return options_.folder + "/" + run.name; }
-  /// Makes the folder of a run if it is missing, and returns it. Throws FileError.
-  std::string make_folder(const StudyRun& run) const;
 
   /// Limits the time of the runs that start from now on.
   void limit_time(double seconds) { options_.time_limit = seconds; }
@@ -39,6 +38,12 @@ class RunPool {
   /// Carries out those runs that are not done, `jobs` at a time. Returns false if interrupted. Throws InputError if a
   /// setting is none of the scene's, and FileError.
   bool carry_out(const std::vector<StudyRun>& runs, int jobs, const Finished& finished) const;
+
+  /// Returns the path of what the program says of a run.
+  std::string log(const StudyRun& run) const { return folder(run) + "/log.txt"; }
+
+  /// Lets the program check a run with one more setting (`--check`). Returns its exit status. Throws FileError.
+  int check(const StudyRun& run, const std::string& setting) const;
 
   /// Returns whether this version has a result of the run. A result cut off by a time limit counts if the present limit
   /// is not longer.
@@ -48,6 +53,8 @@ class RunPool {
 
  private:
   struct Active;
+  void make_folder(const StudyRun& run) const;
+  ChildProcess begin(const StudyRun& run, std::vector<std::string> options) const;
   bool is_done(const StudyRun& run, const std::string& scene) const;
   Active start(const StudyRun& run, std::size_t number, std::string scene) const;
   bool ended(Active& child, const StudyRun& run) const;

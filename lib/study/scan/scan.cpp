@@ -12,7 +12,6 @@
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
-#include "io/child_process.hpp"
 #include "io/disk_file.hpp"
 #include "parameters/scene_node.hpp"
 #include "scene/read/scene_units.hpp"
@@ -52,16 +51,12 @@ ScanRow row_of(const RunPool& pool, const StudyRun& run, const std::vector<Asked
 }
 
 /// Lets the program check a run with the quantities of the scan. Returns whether it can say anything of them.
-bool check_before(const RunPool& pool, const Scan& scan, const StudyRun& run, const std::string& driver) {
+bool check_before(const RunPool& pool, const Scan& scan, const StudyRun& run) {
   std::string asked;
   for (const AskedQuantity& quantity : scan.quantities) asked += (asked.empty() ? "" : ", ") + quantity.text();
-  std::vector<std::string> command{driver, scan.scene, "--check"};
-  for (const std::string& assignment : run.settings) command.insert(command.end(), {"--set", assignment});
-  command.insert(command.end(), {"--set", "Output/Quantities={" + asked + "}"});
-  const std::string log = pool.make_folder(run) + "/log.txt";
-  if (ChildProcess(command, log).wait().exit_status == 0) return true;
+  if (pool.check(run, "Output/Quantities={" + asked + "}") == 0) return true;
   const std::string place = "Output/Quantities: ";
-  std::ifstream told = open_text(log);
+  std::ifstream told = open_text(pool.log(run));
   for (std::string line; std::getline(told, line);)
     if (const auto found = line.find(place); found != std::string::npos)
       throw InputError((scan.collects ? "--collect: " : place) + line.substr(found + place.size()));
@@ -69,10 +64,10 @@ bool check_before(const RunPool& pool, const Scan& scan, const StudyRun& run, co
 }
 
 /// Refuses quantities that need a column which the runs lack, or will lack: that of the first run that can say so.
-void check_columns(const RunPool& pool, const Scan& scan, const std::string& driver) {
+void check_columns(const RunPool& pool, const Scan& scan) {
   for (const StudyRun& run : scan.runs) {
     if (!pool.is_done(run)) {
-      if (check_before(pool, scan, run, driver)) return;
+      if (check_before(pool, scan, run)) return;
       continue;
     }
     const RunRecord record = pool.record(run);
@@ -142,7 +137,7 @@ ScanOutcome run_scan(const Scan& scan, const ScanOptions& options) {
   const ResultsFolder held(options.folder, owner(scan), options.overwrite);
   const RunPool pool({options.folder + "/runs", scan.scene, options.driver, options.version, 0, options.interrupted});
   try {
-    check_columns(pool, scan, options.driver);
+    check_columns(pool, scan);
   } catch (const InputError&) {
     if (is_new) std::filesystem::remove_all(options.folder, code);
     throw;
