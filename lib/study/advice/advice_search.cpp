@@ -127,7 +127,12 @@ bool AdviceSearch::start() {
     coarsest_mesh_ = base_[mesh_direction].level;
     return true;
   }
-  problem_ = "No run gave the quantities within the budget. The last one: " + runs_.samples().back().reason + ".";
+  const AdviceSample& last = runs_.samples().back();
+  problem_ = last.good ? fmt::format(
+                             "The runs that show how the quantities change with the steps exceed what the "
+                             "budget has left, {:.2g} s of {:.2g} s.",
+                             std::max(0.0, runs_.budget() - runs_.spent()), runs_.budget())
+                       : "No run gave the quantities within the budget. The last one: " + last.reason + ".";
   return false;
 }
 

@@ -19,7 +19,6 @@
 #include "support/advice_case.hpp"
 #include "support/files.hpp"
 #include "support/plane_block.hpp"
-#include "support/sanitized.hpp"
 #include "support/temporary_folder.hpp"
 #include "test_folders.hpp"
 
@@ -369,12 +368,11 @@ TEST_F(AdviceTest, TellsWhyItStops) {
   const Advice fails = advice("-1 if h < 1.5 else 1 + dt**2 + h**2", 0.01);
   EXPECT_EQ(fails.status, AdviceStatus::Unreachable);
   EXPECT_NE(fails.problem.find("failed: negative"), std::string::npos) << fails.problem;
-  if (test::sanitized()) return;  // its first run takes more than the budget
   options_.folder += "-budget";
-  question_.budget = 0.3;
+  question_.budget = 0.3;  // enough for some runs, or for the first alone on a machine that has much else to do
   const Advice poor = advice("1 + dt**2 + 0.5 * h**0.5", 0.001);
-  EXPECT_EQ(poor.status, AdviceStatus::Unreachable);
-  EXPECT_NE(poor.problem.find("the budget has"), std::string::npos) << poor.problem;
+  EXPECT_TRUE(poor.status == AdviceStatus::Unreachable || poor.status == AdviceStatus::NoRun);
+  EXPECT_NE(poor.problem.find("the budget"), std::string::npos) << poor.problem;
 }
 
 TEST_F(AdviceTest, WhatIsExtrapolatedMayCostThreeTimesTheRest) {
