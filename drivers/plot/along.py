@@ -2,6 +2,7 @@
 """Draws fields of nodes along a surface at several times: gap, pressure, traction, slip. As a command: ixos-plot RESULTS
 --along SET."""
 import re
+import sys
 
 import numpy as np
 
@@ -49,6 +50,10 @@ def values_along(fields, nodes, frames, asked):
     if not names:
         raise ResultsError(f"{fields.path} has no field of a surface; Output/Fields of the scene chooses them, such as "
                            f"gap or contact_pressure. Fields of nodes: {', '.join(fields.nodal_names())}")
+    if not asked and "gap" not in names:
+        print("note: the run wrote no gap, pressure or slip; the scene's Output/Fields lists them, as in --set "
+              "'Output/Fields={default, gap, contact_pressure}', and slip_NAME of an interaction with friction",
+              file=sys.stderr)
     values = {}
     for name in names:
         for frame in frames:

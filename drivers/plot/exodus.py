@@ -66,12 +66,18 @@ class Fields:
         return self.nodal("displacement", frame) * self._factor("length")
 
     def element(self, name, frame):
-        """An element field: a value a cell."""
+        """A value a cell: of a field of cells, or the mean of a field of nodes over the cell's nodes; of a vector its
+        magnitude. A component has a name of its own, such as stressXY and displacementX."""
+        nodal = self._file.is_nodal(name)
         values = self._file.at(name, frame)
-        if values.shape != (len(self.cells),):
-            numbers = [own for own in self._file if self._file.at(own, frame).shape == (len(self.cells),)
-                       and not self._file.is_nodal(own)]
-            raise ResultsError(f"{self.path}: '{name}' is no field of one number a cell; it has {', '.join(numbers)}")
+        if nodal and values.ndim > 1:
+            values = np.linalg.norm(values, axis=1)
+        if values.ndim > 1:
+            numbers = self._file.components(name)
+            raise ResultsError(f"{self.path}: '{name}' has several numbers a cell; choose one: {', '.join(numbers)}")
+        if nodal:
+            there = self.cells >= 0
+            values = np.where(there, values[self.cells], 0).sum(axis=1) / there.sum(axis=1)
         return values * self._factor(units.field_quantity(name))
 
     def of_wholes(self, values):

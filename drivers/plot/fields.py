@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the deformed body at several times, coloured by an element field: one panel per time, one colour bar."""
+"""Draws the deformed body at several times, coloured by a field: one panel per time, one colour bar."""
 import numpy as np
 from matplotlib.collections import PolyCollection
 
@@ -15,6 +15,7 @@ EPILOG = """Examples:
   fields.py ball.results --times 0,0.25,0.29,0.4     the frames nearest to these times
   fields.py spatula.results --range=-0.125,0.25 --view=0.2,-1,0.2
   fields.py ball.results --frames 8 --field jacobian --range 0.9,1.1 --output volume --format png,svg
+  fields.py ball.results --field velocityX           a component; of a vector, such as velocity, the magnitude
 
 The folder must contain fields.e or its series fields.e.N.0, ... of one file per rank. A plane body is drawn as its
 deformed mesh. VTK renders a body in space, on the X display or, without one, under xvfb-run (Debian packages xvfb and
@@ -96,7 +97,8 @@ def main():
     which.add_argument("--times", type=options.numbers, metavar="T1,T2,...", help="times of the panels")
     which.add_argument("--frames", type=options.count, default=6, metavar="N",
                        help="number of evenly spaced panels (default: 6)")
-    parser.add_argument("--field", default="first_stress_invariant", help="element field (default: %(default)s)")
+    parser.add_argument("--field", default="first_stress_invariant", help="field of cells or of nodes, or a component of one (default: %(default)s); a cell has the "
+                        "mean of its nodes")
     parser.add_argument("--range", type=options.interval, metavar="LO,HI",
                         help="limits of the colour bar (default: those of the values drawn; symmetric for stress)")
     wall_options = parser.add_mutually_exclusive_group()
@@ -116,7 +118,8 @@ def main():
     frames = chosen_frames(fields, arguments.times, arguments.frames)
     values = [fields.element(arguments.field, frame) for frame in frames]
     if not np.isfinite(values).all():
-        raise ResultsError(f"{fields.path}: '{arguments.field}' is not finite in all of the frames")
+        raise ResultsError(f"{fields.path}: '{arguments.field}' has no value in some cells of the frames; a field of a "
+                           "surface is drawn along it: ixos-plot RESULTS --along SET")
     colors = style.color_scale(arguments.field, np.array(values), arguments.range)
     draw = draw_plane if fields.dimension == 2 else draw_space
     figure, grid, body = draw(fields, frames, values, colors, wall, arguments.view)

@@ -98,19 +98,32 @@ def body(fields, frame, values, colors):
     return [actor, outline]
 
 
-def plate(low, high, height):
-    """The wall: a grey plate under the body."""
-    margin = 0.15 * float((high - low)[:2].max())
+def plate(low, high, wall):
+    """The wall: a grey plate before the body, at a height or through a point across a normal."""
     source = vtkPlaneSource()
-    source.SetOrigin(low[0] - margin, low[1] - margin, height)
-    source.SetPoint1(high[0] + margin, low[1] - margin, height)
-    source.SetPoint2(low[0] - margin, high[1] + margin, height)
+    if isinstance(wall, tuple):
+        point, normal = wall
+        middle, reach = 0.5 * (low + high), 0.6 * float(np.linalg.norm(high - low))
+        middle = middle - (middle - point) @ normal * normal
+        first = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+        first *= reach / np.linalg.norm(first)
+        second = np.cross(normal, first)
+        source.SetOrigin(*(middle - first - second))
+        source.SetPoint1(*(middle + first - second))
+        source.SetPoint2(*(middle - first + second))
+    else:
+        margin = 0.15 * float((high - low)[:2].max())
+        source.SetOrigin(low[0] - margin, low[1] - margin, wall)
+        source.SetPoint1(high[0] + margin, low[1] - margin, wall)
+        source.SetPoint2(low[0] - margin, high[1] + margin, wall)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(0.72, 0.72, 0.72)
     actor.GetProperty().LightingOff()
+    if isinstance(wall, tuple):
+        actor.GetProperty().SetOpacity(0.4)  # it may stand between the body and the viewer
     return actor
 
 
@@ -120,9 +133,7 @@ def pictures(fields, frames, values, colors, wall, view=VIEW):
     require_screen()
     positions = np.concatenate([fields.coordinates + fields.displacement(frame) for frame in frames])
     low, high = positions.min(axis=0), positions.max(axis=0)
-    if isinstance(wall, tuple):
-        wall = None  # a plate that is not level hides the body
-    if wall is not None:
+    if wall is not None and not isinstance(wall, tuple):
         low[2], high[2] = min(low[2], wall), max(high[2], wall)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)

@@ -3,6 +3,7 @@
 The scripts of drivers/plot and the Python module ixos share this file. It imports nothing of Ixos, because the scripts
 work without the module too."""
 import csv
+import itertools
 import json
 import pathlib
 import re
@@ -82,8 +83,66 @@ def joined_cells(blocks):
     return np.concatenate(wide) if wide else np.zeros((0, 0), int)
 
 
+def _parts_of(path):
+    """The file, or those of its series of one file a rank; none where neither exists."""
+    return [path] if path.is_file() else sorted(path.parent.glob(f"{path.name}.*.*"))
+
+
+class _Series:
+    """A file of fields, or its series of one file a rank. The attributes that Fields has are described there."""
+
+    def __init__(self, path):
+        paths = _parts_of(path)
+        expected = 1 if path.is_file() else int(paths[0].name.split(".")[2])
+        if len(paths) != expected:
+            raise FileError(f"{path}: the series has {len(paths)} files, not {expected}")
+        self.parts = [_Part(own) for own in paths]
+        self._read_mesh()
+        first = self.parts[0]
+        count = min(len(part.times) for part in self.parts)  # a run that still writes may be between two files
+        self.times = first.times[:count]
+        self.totals = {name: values[:count] for name, values in first.totals.items()}
+        self.columns = {**_columns("node", first.names["node"]), **_columns("cell", first.names["cell"])}
+
+    def _read_mesh(self):
+        def gathered(name):
+            return np.concatenate([getattr(part, name) for part in self.parts])
+
+        ids, first, place = np.unique(gathered("node_ids"), return_index=True, return_inverse=True)
+        self.mesh_nodes = ids - 1
+        self.order = {"node": first, "cell": np.argsort(gathered("cell_ids"))}
+        self.points = gathered("points")[first]
+        starts = np.cumsum([0] + [len(part.node_ids) for part in self.parts])
+        cells = [np.where(part.cells < 0, -1, place[start + part.cells])
+                 for start, part in zip(starts, self.parts) if len(part.cells)]
+        self.cells = joined_cells(cells)[self.order["cell"]]
+        blocks = gathered("block_of_cell")[self.order["cell"]]
+        self.blocks = {name: np.flatnonzero(blocks == name) for name in self.parts[0].blocks}
+
+        def joined(kind):
+            sets = {}
+            for start, part in zip(starts, self.parts):
+                for name, nodes in getattr(part, kind).items():
+                    sets.setdefault(name, []).append(place[start + nodes])
+            return {name: np.unique(np.concatenate(nodes)) for name, nodes in sets.items()}
+
+        self.node_sets, self.side_set_nodes = joined("node_sets"), joined("side_sets")
+
+    def has_mesh_of(self, other):
+        return np.array_equal(self.points, other.points) and np.array_equal(self.cells, other.cells)
+
+    def values(self, kind, column, frame):
+        """Returns a variable at a frame, or at a slice of frames, for each node or cell; NaN if there is none."""
+        if column not in self.parts[0].names[kind]:
+            return np.full((*np.shape(self.times[frame]), len(self.order[kind])), np.nan)
+        return np.concatenate([part.values(kind, column, frame) for part in self.parts], -1)[..., self.order[kind]]
+
+
 class Fields:
     """The mesh and the fields of fields.e, or of its series of one file a rank. Needs netCDF4.
+
+    The frames of stages with other fields, which are in fields-2.e and so on, follow those of fields.e; a field that a
+    stage lacks is NaN there.
 
     times: of the frames. dimension: 2 or 3. points: reference coordinates, a row a node. cells: the nodes of each cell,
     a row a cell; -1 stands behind the nodes of cells with fewer than others. mesh_nodes: for each node its number in
@@ -99,44 +158,26 @@ class Fields:
 
     def __init__(self, folder: str | pathlib.Path):
         self.path = pathlib.Path(folder) / "fields.e"
-        paths = [self.path] if self.path.is_file() else sorted(self.path.parent.glob("fields.e.*.*"))
-        if not paths:
+        if not _parts_of(self.path):
             raise FileError(f"the file {self.path} does not exist, nor does a series {self.path}.N.0, ... (the scene "
                             "must set Output/Fields Interval to write one)")
-        expected = 1 if self.path.is_file() else int(paths[0].name.split(".")[2])
-        if len(paths) != expected:
-            raise FileError(f"{self.path}: the series has {len(paths)} files, not {expected}")
-        self._parts = [_Part(path) for path in paths]
-        self._read_mesh()
-        first = self._parts[0]
-        count = min(len(part.times) for part in self._parts)  # a run that still writes may be between two files
-        self.times = first.times[:count]
-        self.totals = {name: values[:count] for name, values in first.totals.items()}
-        self._columns = {**_columns("node", first.names["node"]), **_columns("cell", first.names["cell"])}
-
-    def _read_mesh(self):
-        def gathered(name):
-            return np.concatenate([getattr(part, name) for part in self._parts])
-
-        ids, first, place = np.unique(gathered("node_ids"), return_index=True, return_inverse=True)
-        self.mesh_nodes = ids - 1
-        self._order = {"node": first, "cell": np.argsort(gathered("cell_ids"))}
-        self.points = gathered("points")[first]
+        self._series = [_Series(self.path)]
+        first = self._series[0]
+        self.points, self.cells, self.mesh_nodes, self.blocks = first.points, first.cells, first.mesh_nodes, first.blocks
+        self.node_sets, self.side_set_nodes = first.node_sets, first.side_set_nodes
         self.dimension = self.points.shape[1]
-        starts = np.cumsum([0] + [len(part.node_ids) for part in self._parts])
-        cells = [np.where(part.cells < 0, -1, place[start + part.cells])
-                 for start, part in zip(starts, self._parts) if len(part.cells)]
-        self.cells = joined_cells(cells)[self._order["cell"]]
-        blocks = gathered("block_of_cell")[self._order["cell"]]
-        self.blocks = {name: np.flatnonzero(blocks == name) for name in self._parts[0].blocks}
-        def joined(kind):
-            sets = {}
-            for start, part in zip(starts, self._parts):
-                for name, nodes in getattr(part, kind).items():
-                    sets.setdefault(name, []).append(place[start + nodes])
-            return {name: np.unique(np.concatenate(nodes)) for name, nodes in sets.items()}
-
-        self.node_sets, self.side_set_nodes = joined("node_sets"), joined("side_sets")
+        for number in itertools.count(2):
+            path = self.path.parent / f"fields-{number}.e"
+            later = _Series(path) if _parts_of(path) else None
+            if later is None or not later.has_mesh_of(first):  # an exchanged simulation may have another mesh
+                break
+            self._series.append(later)
+        self.times = np.concatenate([series.times for series in self._series])
+        self.totals = {name: np.concatenate([series.totals[name] for series in self._series]) for name in first.totals
+                       if all(name in series.totals for series in self._series)}
+        self._columns = {}
+        for series in reversed(self._series):
+            self._columns.update(series.columns)
 
     def nodes(self, name: str) -> np.ndarray:
         """Returns the numbers of the nodes of a node set or a side set of the scene: "bottom"."""
@@ -150,15 +191,25 @@ class Fields:
             name in others and name != whole for whole, (_, others) in self._columns.items()))
 
     def __getitem__(self, name: str) -> np.ndarray:
-        return self.at(name, slice(0, len(self.times)))
+        return np.concatenate([self._values(series, name, slice(0, len(series.times))) for series in self._series])
 
     def at(self, name: str, frame: int) -> np.ndarray:
         """Returns a field at a frame: a value, or a row of components, for each node or cell."""
+        frame = range(len(self.times))[frame]
+        for series in self._series:
+            if frame < len(series.times):
+                break
+            frame -= len(series.times)
+        return self._values(series, name, frame)
+
+    def _values(self, series, name, frame):
         kind, names = self._column(name)
-        order = self._order[kind]
-        columns = [np.concatenate([part.values(kind, column, frame) for part in self._parts], -1)[..., order]
-                   for column in names]
+        columns = [series.values(kind, column, frame) for column in names]
         return columns[0] if names == [name] else np.stack(columns, -1)
+
+    def components(self, name: str) -> list[str]:
+        """Returns the names of a field's components, or of a field of one number."""
+        return list(self._column(name)[1])
 
     def is_nodal(self, name: str) -> bool:
         """Returns whether a field has values for nodes; FileError if there is no such field."""
@@ -177,7 +228,7 @@ class Fields:
     def information(self) -> dict:
         """Returns the file's records by key: scene, units, what wrote it."""
         lines = []
-        for text in self._parts[0].records:
+        for text in self._series[0].parts[0].records:
             if text.startswith("  ") and lines:
                 lines[-1] += text[2:]
             else:

@@ -57,11 +57,12 @@ class Run:
         return bool(np.isfinite(self[name]).any())
 
     def energy_error(self):
-        """|E - E0 - external work + dissipated energy|, row by row; of work and dissipation what came after the first
-        row, where a restart in another folder has a past."""
-        work, lost = (np.nan_to_num(self[name] - np.nan_to_num(self._first[name]))
-                      for name in ("external_work", "dissipated_energy"))
-        return np.abs(self["total_energy"] - self.initial_energy - work + lost)
+        """|E - E0 - external work + dissipated energy + energy released by jumps to other equilibria|, row by row; of the
+        last three what came after the first row, where a restart in another folder has a past."""
+        work, lost, released = (
+            np.nan_to_num(self.columns.get(name, 0.0) - np.nan_to_num(self._first.get(name, 0.0)))
+            for name in ("external_work", "dissipated_energy", "released_energy"))
+        return np.abs(self["total_energy"] - self.initial_energy - work + lost + released)
 
     def reactions(self):
         """(name, times, values) of each reaction column, at the times that the values belong to."""

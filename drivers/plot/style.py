@@ -10,6 +10,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (after the choice of the backend)
 import numpy as np  # noqa: E402
+from matplotlib.collections import PolyCollection  # noqa: E402
 from matplotlib.colors import ListedColormap  # noqa: E402
 
 import units  # noqa: E402
@@ -181,16 +182,25 @@ def fit_width(figure, width):
 
 
 def write_lines(figure, target):
-    """Writes the points of all lines as a table: panel, line, x, y."""
+    """Writes the points of all lines as a table: panel, line, x, y. A deformed mesh is a line `cells` of the middles of
+    its cells, with their value; bodies in space are pictures and have none."""
     with open(target, "w", encoding="utf-8", newline="") as file:
         table = csv.writer(file)
-        table.writerow(["panel", "line", "x", "y"])
+        bodies = {axes: [own for own in axes.collections if own.get_array() is not None and isinstance(own, PolyCollection)]
+                  for axes in figure.axes}
+        has_cells = any(bodies.values())
+        table.writerow(["panel", "line", "x", "y", *(["value"] if has_cells else [])])
         for number, axes in enumerate(figure.axes, 1):
             panel = " ".join((axes.get_ylabel() or axes.get_title() or f"panel {number}").split())
             for count, line in enumerate(axes.lines, 1):
                 label = line.get_label()
                 label = f"line {count}" if label.startswith("_") else " ".join(label.split())
-                table.writerows([panel, label, float(x), float(y)] for x, y in zip(line.get_xdata(), line.get_ydata()))
+                table.writerows([panel, label, float(x), float(y), *([""] if has_cells else [])]
+                                for x, y in zip(line.get_xdata(), line.get_ydata()))
+            for body in bodies[axes]:
+                middles = [path.vertices[:-1].mean(axis=0) for path in body.get_paths()]
+                table.writerows([axes.get_title() or panel, "cells", float(x), float(y), float(value)]
+                                for (x, y), value in zip(middles, body.get_array()))
 
 
 def save(figure, name, formats):

@@ -113,8 +113,12 @@ def field_quantity(field):
     """The quantity of a field of fields.e, or None for a number."""
     if field in ("first_stress_invariant", "jacobian"):
         return None
-    if re.fullmatch("gap(_.*)?|slip_.*", field):
+    if re.fullmatch("gap(_.*)?|slip_.*|displacement[XYZ]?", field):
         return "length"
+    if re.fullmatch("velocity[XYZ]?", field):
+        return "speed"
+    if re.fullmatch("acceleration[XYZ]?", field):
+        return "acceleration"
     if field.startswith(("normal_", "sliding_", "damage_")):  # of an interaction with any name
         return None
     if field.startswith("dissipated_") and field != "dissipated_energy_density":

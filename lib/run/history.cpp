@@ -10,11 +10,16 @@
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "base/phase_timer.hpp"
+#include "scene/history_columns.hpp"
 
 namespace ixos {
 namespace {
 
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
+
+std::size_t place_of(const std::vector<std::string>& columns, const std::string& name) {
+  return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), name) - columns.begin());
+}
 
 }  // namespace
 
@@ -22,10 +27,10 @@ History::History(Simulation& simulation)
     : simulation_(simulation),
       row_(simulation),
       columns_(simulation.run_columns()),
+      released_place_(place_of(columns_, released_column)),
       max_energy_error_(simulation.output().energies ? 0.0 : empty),
       contacts_(row_.contact_names()) {
-  for (const std::string& name : row_.columns())
-    places_.push_back(static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin()));
+  for (const std::string& name : row_.columns()) places_.push_back(place_of(columns_, name));
   for (const std::string& column : row_.force_columns()) max_forces_.emplace_back(column, 0.0);
   forces_ = max_forces_;
 }
@@ -60,6 +65,7 @@ void History::go_on_from(History& before) {
   balance_ = before.balance_;
   max_energy_error_ = before.max_energy_error_;
   largest_energy_ = before.largest_energy_;
+  jumps_.go_on_from(before.jumps());
   contacts_.go_on_from(before.contacts_);
   for (const auto& [name, largest] : before.max_forces_) largest_force(name) = largest;
   for (auto& [name, force] : forces_)
@@ -84,15 +90,13 @@ void History::keep_forces(const std::vector<double>& forces) {
   }
 }
 
-void History::settle(double released) {
-  if (!simulation_.output().energies) return;
-  const double error = std::abs(balance_ - initial_energy_ + released);
-  if (!(error <= max_energy_error_)) max_energy_error_ = error;  // not std::max: a NaN must remain visible
-}
-
 void History::pass() { keep_forces(row_.forces()); }
 
-void History::record(const RowCounts& counts) {
+void History::record_first(const RowCounts& counts) { record(counts, false); }
+
+void History::record(const RowCounts& counts) { record(counts, is_static(simulation_.integrator().table())); }
+
+void History::record(const RowCounts& counts, bool may_jump) {
   const TimedScope timed(Phase::Output);
   RowValues values = row_.values(counts);
   if (simulation_.output().energies) {
@@ -101,12 +105,19 @@ void History::record(const RowCounts& counts) {
     if (std::isnan(max_energy_error_)) max_energy_error_ = 0;  // a checkpoint of a run without energies
     largest_energy_ = std::max({largest_energy_, values.kinetic, std::abs(values.elastic), std::abs(values.contact)});
   }
+  const double time = simulation_.integrator().time();
+  jump_ = may_jump ? jumps_.row(time, balance_, simulation_.integrator().external_work(), largest_energy_) : Jump();
+  if (simulation_.output().energies) {
+    const double error = std::abs(balance_ - initial_energy_ + jumps().released);
+    if (!(error <= max_energy_error_)) max_energy_error_ = error;  // not std::max: a NaN must remain visible
+  }
   contact_measure_ = values.contact_measure;
   keep_forces(values.forces);
-  contacts_.row(simulation_.integrator().time(), values.measures);
+  contacts_.row(time, values.measures);
   friction_reports_ = std::move(values.friction_reports);
   std::vector<double> line(columns_.size(), empty);
   for (std::size_t i = 0; i < values.row.size(); ++i) line[places_[i]] = values.row[i];
+  if (released_place_ < line.size() && simulation_.output().energies) line[released_place_] = jumps().released;
   together(simulation_.model().space().comm(), [&] {
     if (file_) file_->write(line);
   });
@@ -145,6 +156,11 @@ void History::transfer(Record& record) {
     const bool is_column = std::find(columns_.begin(), columns_.end(), force.first) != columns_.end();
     if (is_column) largest_force(force.first) = force.second;
   }
+}
+
+void History::transfer_jumps(Record& record) {
+  const bool has_jumps = is_static(simulation_.integrator().table()) || jumps().count > 0;
+  if (record.loading() ? record.has_section("jump watch") : has_jumps) jumps_.transfer(record);
 }
 
 }  // namespace ixos

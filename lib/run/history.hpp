@@ -10,6 +10,7 @@
 #include "io/history_file.hpp"
 #include "run/contact_events.hpp"
 #include "run/history_row.hpp"
+#include "run/jump_watch.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -27,14 +28,14 @@ class History {
   /// Continues the verified file; drops later rows.
   void resume(const std::string& path);
 
+  /// Records the state with which a file begins. No jump leads to it: of a quasi-static run it need not be an
+  /// equilibrium, since constant loads and motions act at once.
+  void record_first(const RowCounts& counts);
   void record(const RowCounts& counts);
-  /// Ends the last row, whose error it counts. `released`: the energy that the body has set free in jumps to other
-  /// equilibria so far, see JumpWatch [E0 L0^D]: no error of the scheme.
-  void settle(double released);
   /// Skips the row of a step: its reactions still count for max_forces().
   void pass();
-  /// Returns the largest |E_n - E_0 - external work + dissipation + released energy| of the settled rows [E0 L0^D]; NaN
-  /// without energies.
+  /// Returns the largest |E_n - E_0 - external work + dissipation + released energy| of the rows [E0 L0^D]; NaN without
+  /// energies. What jumps to other equilibria release is no error of the scheme.
   double max_energy_error() const { return max_energy_error_; }
   /// Returns the largest kinetic, elastic or interaction energy of the recorded rows [E0 L0^D], the scale of that
   /// error.
@@ -43,6 +44,9 @@ class History {
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
   /// Returns the last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
   double balance() const { return balance_; }
+  /// Returns the jump of a quasi-static run before the last row, and all jumps so far.
+  const Jump& jump() const { return jump_; }
+  const JumpSums& jumps() const { return jumps_.jumps(); }
   /// Returns the times of each interaction's contact; of none if rows do not have the contact measure of each.
   const ContactEvents& contacts() const { return contacts_; }
   /// Returns the last row's contact measure; NaN if rows have none.
@@ -60,8 +64,11 @@ class History {
 
   /// Writes or reads the sums and the length of the file for checkpoints.
   void transfer(Record& record);
+  /// Does so with the jumps.
+  void transfer_jumps(Record& record);
 
  private:
+  void record(const RowCounts& counts, bool may_jump);
   void keep_forces(const std::vector<double>& forces);
   double& largest_force(const std::string& column);
 
@@ -69,6 +76,7 @@ class History {
   HistoryRow row_;
   std::vector<std::string> columns_;   ///< of the file
   std::vector<std::size_t> places_;    ///< among them, of the numbers of a row
+  std::size_t released_place_;         ///< among them, of the energy that jumps released; their number if there is none
   TableLength length_;                 ///< of the file, as loaded
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   /// Energy at the first row, less external work, plus dissipation; NaN if no energies were recorded yet.
@@ -76,6 +84,8 @@ class History {
   double balance_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   double max_energy_error_ = 0;
   double largest_energy_ = 0;
+  JumpWatch jumps_;  ///< takes part in quasi-static runs
+  Jump jump_;        ///< before the last row
   ContactEvents contacts_;
   std::vector<FrictionReport> friction_reports_;
   std::vector<std::pair<std::string, double>> max_forces_;

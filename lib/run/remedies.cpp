@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "time/equilibrium.hpp"
+
 namespace ixos {
 namespace {
 
@@ -32,11 +34,15 @@ std::vector<Remedy> remedies(const Simulation& simulation, bool ran_out) {
   if (is_quasi_static && snap < 1000 && ran_out)
     all.push_back({"more iterations", "Nonlinear Solver/Snap Iterations=1000"});
   all.push_back(shorter_steps(simulation));
+  if (!is_quasi_static) return all;
   const auto& materials = simulation.materials();
   const auto has_density = [](const Material& material) { return material.density > 0; };
-  if (is_quasi_static && std::all_of(materials.begin(), materials.end(), has_density))
-    all.push_back(
-        {"a dynamic scheme, which needs motions with an acceleration", "Time Integrator/Type=Generalized-Alpha"});
+  if (!std::all_of(materials.begin(), materials.end(), has_density)) return all;
+  // Shorter steps only come nearer to the largest load that the body bears.
+  const bool is_overloaded =
+      load_grows(simulation.model(), simulation.integrator().state(), simulation.step_control().time_step);
+  all.insert(is_overloaded ? all.end() - 1 : all.end(),
+             {"a dynamic scheme, which needs motions with an acceleration", "Time Integrator/Type=Generalized-Alpha"});
   return all;
 }
 

@@ -14,7 +14,7 @@ struct Remedy {
 };
 
 /// Returns what differs from the present settings and may help a step that failed, the most likely one first.
-/// `ran_out`: because Newton's iterations were used up.
+/// `ran_out`: because Newton's iterations were used up. Collective.
 std::vector<Remedy> remedies(const Simulation& simulation, bool ran_out);
 
 }  // namespace ixos

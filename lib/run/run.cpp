@@ -200,7 +200,6 @@ void Run::take_over(Run& before) {
   } catch (const FileError& error) {
     throw FileError(before.with_position(error.what()));
   }
-  measures_.go_on_from(before.measures_);
   checkpoints_.go_on_from(before.checkpoints_);
   resumed_from_ = checkpoints_.newest();  // of another simulation: the watch does not go back there
   measures_.row(files_.history());
@@ -250,12 +249,10 @@ void Run::go_on() {
   Restart restart(simulation_, options_.restart);
   restart.load([this](Record& record) { transfer(record); });
   ++result_.restarts;
-  if (restart.is_in(options_.folder)) {
+  if (restart.is_in(options_.folder))
     resume_files();
-  } else {
+  else
     begin_files();
-    files_.history().settle(measures_.jumps().released);
-  }
   log(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
   for (const std::string& note : restart.notes()) log(note);
   warn_of_jump();
@@ -288,8 +285,8 @@ void Run::warn_of_jump() {
 void Run::measure_row() {
   constexpr long told = 3;
   measures_.row(files_.history());
-  const Jump& jump = measures_.jump();
-  if (!(jump.released > 0) || measures_.jumps().count > told) return;
+  const Jump& jump = files_.history().jump();
+  if (!(jump.released > 0) || files_.history().jumps().count > told) return;
   log(fmt::format(
       "The body jumped to another equilibrium, one of perhaps several, between t = {:.6g} and {:.6g} T0, and "
       "released {:.3g} {}.",
@@ -450,7 +447,7 @@ void Run::end() {
   result_.max_forces = files_.history().max_forces();
   result_.contacts = files_.history().contacts().times();
   result_.checkpoint = checkpoints_.newest();
-  result_.jumps = measures_.jumps();
+  result_.jumps = files_.history().jumps();
   result_.phase_seconds = clock_.phases();
   add_findings(run_warnings(measures_.finish(files_.history())));
   write_summary(simulation_, result_, options_.folder + "/summary.json");
@@ -493,7 +490,7 @@ void Run::transfer(Record& record) {
   files_.history().transfer(record);
   stop_.transfer(record);
   watch_.transfer(record);
-  measures_.transfer(record);
+  measures_.transfer(record, files_.history());
   // Other steps or another scheme begin with their own.
   if (!record.loading() || record.same_scene()) control_.transfer(record);
 }

@@ -86,7 +86,8 @@ void RunFiles::open_folder(bool goes_on) {
 void RunFiles::create() {
   history_.create(history_path());
   if (fields_) begin_frames();
-  row();
+  history_.record_first(counts_);
+  counts_.newton_iterations = counts_.linear_iterations = 0;
   recorded_ = framed_ = true;
 }
 
@@ -117,8 +118,7 @@ void RunFiles::count(const StepResult& attempt, double wall_seconds) {
 
 void RunFiles::row() {
   history_.record(counts_);
-  counts_.newton_iterations = 0;
-  counts_.linear_iterations = 0;
+  counts_.newton_iterations = counts_.linear_iterations = 0;
 }
 
 void RunFiles::record(long step, double dt, double before) {

@@ -59,16 +59,10 @@ void RunMeasures::step(long steps, double dt) {
   if (scale_ > 0) deepest_ = std::min(deepest_, least_free_gap(model, state.place()));
 }
 
-void RunMeasures::row(History& history) {
-  const Integrator& integrator = simulation_.integrator();
-  contact_.row(integrator.time(), history.contact_measure(), history.forces());
-  // The first state is no equilibrium: constant loads and motions act at once.
-  jump_ = {};
-  if (is_static(integrator.table()) && steps_ > 0)
-    jump_ = jumps_.row(integrator.time(), history.balance(), integrator.external_work(), history.largest_energy());
-  history.settle(jumps_.jumps().released);
+void RunMeasures::row(const History& history) {
+  contact_.row(simulation_.integrator().time(), history.contact_measure(), history.forces());
   front_.row(steps_, history.contact_measure());
-  if (jump_.released > 0) return;  // friction does not act along a jump
+  if (history.jump().released > 0) return;  // friction does not act along a jump
   for (const FrictionReport& report : history.friction_reports()) {
     friction_work_ += report.work;
     friction_lag_ += std::abs(report.lag);
@@ -91,7 +85,7 @@ RunFacts RunMeasures::finish(const History& history) {
   facts.largest_measure = contact_.largest_measure();
   facts.face_measure = face_measure_;
   facts.ripple = contact_.ripple();
-  facts.jumps = jumps_.jumps();
+  facts.jumps = history.jumps();
   facts.friction_lag = friction_work_ > 0 ? friction_lag_ / friction_work_ : 0;
   facts.front = front_.front();
   facts.relaxation_error = relaxation_.share();
@@ -101,12 +95,11 @@ RunFacts RunMeasures::finish(const History& history) {
   return facts;
 }
 
-void RunMeasures::transfer(Record& record) {
+void RunMeasures::transfer(Record& record, History& history) {
   const Record::Section section(record, "run measures");
   strains_.transfer(record);
   contact_.transfer(record);
-  const bool has_jumps = is_static(simulation_.integrator().table()) || jumps_.jumps().count > 0;
-  if (record.loading() ? record.has_section("jump watch") : has_jumps) jumps_.transfer(record);
+  history.transfer_jumps(record);
   record.number("crossings", crossings_);
   record.number("deepest", deepest_);
   front_.transfer(record);

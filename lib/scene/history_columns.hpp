@@ -7,6 +7,10 @@
 
 namespace ixos {
 
+/// The energy that jumps of a quasi-static body to other equilibria have released so far: the last column of a
+/// simulation without inertia, which has a value in the rows of all stages. No number of a HistoryRow.
+inline constexpr const char* released_column = "released_energy";
+
 struct HistoryColumns {
   std::vector<std::string> names;      ///< in the order of a row
   std::vector<std::string> reactions;  ///< those that are forces of node sets, then of grips, in the same order

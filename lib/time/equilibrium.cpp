@@ -28,17 +28,19 @@ double magnitude(const Model& model, const std::vector<double>& forces) {
 
 }  // namespace
 
+bool load_grows(const Model& model, const State& start, double dt) {
+  // The forces by which springs are driven are loads to the model, but displacements to the user.
+  if (has_springs(model)) return false;
+  std::vector<double> change(static_cast<std::size_t>(model.space().local()), 0.0);
+  model.loads().add_force(start.time + dt, 1, change.data());
+  const double found = magnitude(model, start.load), next = magnitude(model, change);
+  for (std::size_t i = 0; i < start.load.size(); ++i) change[i] -= start.load[i];
+  return magnitude(model, change) > 1e-9 * std::max(found, next);
+}
+
 std::string no_equilibrium(const Model& model, const State& start, double dt, const std::string& detail) {
   const double time = start.time, found = magnitude(model, start.load);
-  // The forces by which springs are driven are loads to the model, but displacements to the user.
-  bool grows = false;
-  if (!has_springs(model)) {
-    std::vector<double> change(static_cast<std::size_t>(model.space().local()), 0.0);
-    model.loads().add_force(time + dt, 1, change.data());
-    const double next = magnitude(model, change);
-    for (std::size_t i = 0; i < start.load.size(); ++i) change[i] -= start.load[i];
-    grows = magnitude(model, change) > 1e-9 * std::max(found, next);
-  }
+  const bool grows = load_grows(model, start, dt);
   const bool driven = has_springs(model) || model.space().maximum(model.constraints().driven() ? 1 : 0) > 0;
   if (!grows && (driven || found == 0))
     return fmt::format("no equilibrium found beyond t = {:.6g} T0; use shorter steps, or a dynamic scheme: {}", time,

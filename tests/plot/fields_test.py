@@ -7,8 +7,9 @@ import numpy as np
 
 sys.dont_write_bytecode = True
 from scripts import ScriptTest, simulate  # noqa: E402 (sets the path to the others)
+import result_files  # noqa: E402
 from exodus import Fields  # noqa: E402
-from results import Run  # noqa: E402
+from results import ResultsError, Run  # noqa: E402
 
 from vtkmodules.vtkCommonCore import mutable  # noqa: E402
 from vtkmodules.vtkIOExodus import vtkExodusIIReader  # noqa: E402
@@ -178,6 +179,33 @@ class FieldsTest(ScriptTest):
         self.assertEqual(vectors, {"displacement", "velocity", "acceleration", "interaction_traction", "gap",
                                    "contact_pressure", "reaction", "gap_Wall", "normal_Wall", "traction_Wall",
                                    "pressure_Wall"})
+
+    def test_a_cell_has_the_mean_of_its_nodes(self):
+        fields, _ = self.strips[0]
+        mean = np.array([np.linalg.norm(fields.nodal("displacement", 2)[cell], axis=1).mean() for cell in fields.cells])
+        np.testing.assert_allclose(fields.element("displacement", 2), mean, rtol=1e-14)
+        mean = np.array([fields.nodal("displacement", 2)[cell, 1].mean() for cell in fields.cells])
+        np.testing.assert_allclose(fields.element("displacementY", 2), mean, rtol=1e-14, atol=1e-18)
+        with self.assertRaisesRegex(ResultsError, "choose one: stressXX, stressYY, stressZZ, stressXY"):
+            fields.element("stress", 2)
+
+    def test_frames_of_stages_with_other_fields_follow(self):
+        folder = self.folder / "stages"
+        simulate(folder, ["Output/Fields Time Interval=2", "Stages/Pull/Output/Fields={displacement, gap}"],
+                 scene="press-wait-pull.xml")
+        fields = result_files.Fields(folder)
+        run = Run(folder)
+        self.assertTrue((folder / "fields-2.e").is_file())
+        pressed, waited = (stage["end_time"] for stage in run.summary["stages"][:2])
+        self.assertEqual((fields.times[0], fields.times[-1]), (0, run["time"][-1]))
+        last = np.count_nonzero(fields.times > waited) + 1  # fields.e ends and fields-2.e begins there
+        late, early = np.isnan(fields["velocity"]).all(axis=(1, 2)), np.isnan(fields["gap"]).all(axis=1)
+        self.assertEqual((list(np.flatnonzero(~late)), list(np.flatnonzero(~early))),
+                         (list(range(len(late) - last)), list(range(len(late) - last, len(late)))))
+        for frame in (0, 3, -1):
+            np.testing.assert_array_equal(fields.at("displacement", frame), fields["displacement"][frame])
+        head = fields.nodes("top")
+        np.testing.assert_allclose(fields.at("displacement", -1)[head, 1], 6 - 0.3 * pressed, rtol=1e-6)
 
     @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")
     def test_the_reader_on_ioss_joins_tensors_too(self):

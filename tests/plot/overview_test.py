@@ -163,7 +163,12 @@ class OverviewTest(ScriptTest):
         self.assertIn(b"/FontType 42", eps.read_bytes())
         self.assertEqual(table, self.folder / "print-data.csv")
         rows = [line.split(",") for line in table.read_text().splitlines()]
-        self.assertEqual(rows[0], ["panel", "line", "x", "y"])
+        self.assertEqual(rows[0], ["panel", "line", "x", "y", "value"])
+        fields = Fields(self.strip)
+        cells = [row for row in rows if row[1] == "cells" and row[0] == f"t = {fields.times[0]:.4g} T₀"]
+        stress = fields.of_wholes(fields.element("first_stress_invariant", 0))
+        self.assertEqual([float(row[4]) for row in cells], list(stress))
+        self.assertEqual([float(row[2]) for row in cells], [polygon[:, 0].mean() for polygon in fields.polygons(0)])
         times = [float(row[2]) for row in rows if row[0].startswith("least gap")]
         self.assertEqual((times[0], times[-1]), (0, 6))
 

@@ -172,6 +172,16 @@ class PlotTest(ScriptTest):
         png, = self.draw("fields.py", self.ball, "--frames", 2, "--field", "jacobian", "--range", "0.9,1.1",
                          "--no-wall", "--output", self.folder / "jacobian")
         self.assert_picture(png, "PNG", 800, 1600)
+        svg, = self.draw("fields.py", self.ball, "--times", "0.05", "--field", "velocityX", "--format", "svg", "--output",
+                         self.folder / "velocity")
+        self.assertIn("velocityX [L₀/T₀]", svg.read_text())
+
+    def plate(self, *options):
+        """The share of a picture that has the colour of an oblique wall before white."""
+        png, = self.draw("fields.py", self.folder / "slope", "--frames", 1, *options)
+        with Image.open(png) as image:
+            pixels = np.asarray(image.convert("RGB")).astype(int)
+        return (np.abs(pixels - round(255 * (0.4 * 0.72 + 0.6))) <= 2).all(axis=-1).mean()
 
     @unittest.skipUnless(os.environ.get("DISPLAY") or shutil.which("xvfb-run"), "neither a display nor xvfb-run")
     def test_fields_in_space(self):
@@ -182,6 +192,9 @@ class PlotTest(ScriptTest):
                          "--output", self.folder / "other")
         self.assert_picture(png, "PNG", 1000, 1600)
         self.assert_refused("not a direction", "fields.py", self.folder / "cube", "--view=0,0,1")
+        simulate(self.folder / "slope", [*CUBE, "Interactions/Wall/Normal={1, 0, 1}", "Interactions/Wall/Point={0, 0, -1}"])
+        self.assertGreater(self.plate(), 0.05)
+        self.assertLess(self.plate("--no-wall"), 0.01)
         self.assert_refused("not plane", "animate.py", self.folder / "cube")
 
     @unittest.skipUnless(os.environ.get("DISPLAY") or shutil.which("xvfb-run"), "neither a display nor xvfb-run")
@@ -199,6 +212,13 @@ class PlotTest(ScriptTest):
                               text=True, capture_output=True, env={"PATH": "", "HOME": os.environ.get("HOME", "/")})
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
         self.assertIn("xvfb", done.stderr)
+
+    @unittest.skipUnless(shutil.which("ffprobe"), "no ffmpeg")
+    def test_a_movie(self):
+        movie, = self.draw("animate.py", self.ball, "--output", self.folder / "ball.mp4")
+        asked = ["ffprobe", "-v", "error", "-show_entries", "stream=codec_name,width,height,nb_frames", "-of", "csv=p=0"]
+        told = subprocess.run([*asked, movie], capture_output=True, text=True, check=True).stdout.split()
+        self.assertEqual(told, [f"h264,640,400,{len(Fields(self.ball).times)}"])
 
     def test_animation(self):
         self.assert_refused("ends in .gif or .mp4", "animate.py", self.ball, "--output", "ball.avi")

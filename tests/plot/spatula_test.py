@@ -99,10 +99,10 @@ class SpatulaTest(ScriptTest):
         run = Run(self.damped)
         rows = len(run["time"])
         past = {"total_energy": np.linspace(2, 1.5, rows), "external_work": np.full(rows, 2.0),
-                "dissipated_energy": 0.1 + np.linspace(0, 0.5, rows)}
+                "dissipated_energy": 0.1 + np.linspace(0, 0.3, rows), "released_energy": 0.4 + np.linspace(0, 0.2, rows)}
         folder = self.folder / "past"
         folder.mkdir()
-        write_history(folder, {**run.columns, **past}, [*COLUMNS, "external_work", "dissipated_energy"])
+        write_history(folder, {**run.columns, **past}, [*COLUMNS, "external_work", "dissipated_energy", "released_energy"])
         np.testing.assert_allclose(Run(folder).energy_error(), 0, atol=1e-12)
         np.testing.assert_allclose(Run(folder, (5, 30)).energy_error(), 0, atol=1e-12)
 

@@ -144,7 +144,8 @@ class UnitsTest(ScriptTest):
                                 ("sliding_Wall", None), ("dissipated_Wall", "surface energy"),
                                 ("dissipated_energy_density", "stress"), ("damage_pressure plate", None),
                                 ("normal_Wall", None), ("damage_stress plate", None),
-                                ("normal_pressure plate", None), ("gap", "length")):
+                                ("normal_pressure plate", None), ("gap", "length"), ("displacement", "length"),
+                                ("velocityX", "speed"), ("accelerationZ", "acceleration")):
             self.assertEqual(units.field_quantity(field), expected, field)
 
     def test_runs_without_units_are_refused(self):

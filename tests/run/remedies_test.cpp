@@ -46,5 +46,14 @@ TEST(RemediesTest, AQuasiStaticBodyMayTakeMoreIterationsOrMove) {
             (Assignments{"Nonlinear Solver/Snap Iterations=1000", control + "Maximum Cuts=10", dynamic}));
 }
 
+TEST(RemediesTest, AQuasiStaticBodyWhoseLoadGrowsMovesFirst) {
+  const std::string conditions =
+      list("Boundary Conditions", list("Push", word("Type", "Traction") + word("Side Set", "top") +
+                                                   word("History", "Grow") + test::numbers("Vector", {0, -1})));
+  const std::string ramp = number("Value", 1) + number("Length", 1) + word("Shape", "Linear");
+  const std::string grow = list("Histories", list("Grow", word("Type", "Ramp") + list("Ramp", ramp)));
+  EXPECT_EQ(remedies_of("Static", "", conditions + grow), (Assignments{dynamic, control + "Maximum Cuts=10"}));
+}
+
 }  // namespace
 }  // namespace ixos

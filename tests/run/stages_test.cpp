@@ -180,7 +180,7 @@ TEST_F(StagesTest, ACriterionEndsAStageAndTheNextBeginsThere) {
 }
 
 TEST_F(StagesTest, TheGuidesScenePressesWaitsAndPulls) {
-  Simulation simulation(read_scene_file(std::string(IXOS_TEST_DIRECTORY) + "/guide/press-wait-pull.xml"), world());
+  Simulation simulation(read_scene_file(std::string(IXOS_XML_DIRECTORY) + "/press-wait-pull.xml"), world());
   std::shared_ptr<Simulation> last;
   RunOptions options;
   options.folder = folder("guide");

@@ -6,7 +6,7 @@
 Each block of C++ in docs/developer-guide.md must stand, apart from white space, in a source file of tests/guide, which
 the suite compiles and tests, or of lib. Each block of C++ in docs/embedding.md, docs/embedding-evaluator.md and
 docs/embedding-stepping.md must stand in a program of docs/examples/programs. Each block of XML in docs/user-guide.md
-must stand in a scene of tests/guide. docs/user-guide.md and docs/cookbook/README.md must link to each page of
+must stand in a scene of tests/guide or xml. docs/user-guide.md and docs/cookbook/README.md must link to each page of
 docs/cookbook.
 """
 import re
@@ -22,8 +22,9 @@ def squeeze(text):
 
 
 def find_untested_scenes():
-    """Returns the blocks of XML in the user guide that are in no scene of tests/guide."""
-    scenes = [squeeze(path.read_text(encoding="utf-8")) for path in (ROOT / "tests/guide").glob("*.xml")]
+    """Returns the blocks of XML in the user guide that are in no scene of tests/guide or xml."""
+    scenes = [squeeze(path.read_text(encoding="utf-8")) for folder in ("tests/guide", "xml")
+              for path in (ROOT / folder).glob("*.xml")]
     blocks = re.findall(r"```xml\n(.*?)```", (ROOT / "docs/user-guide.md").read_text(encoding="utf-8"), re.DOTALL)
     return [block for block in blocks if not any(squeeze(block) in scene for scene in scenes)]
 
@@ -52,7 +53,7 @@ def find_unlinked_pages():
 def main():
     scenes = find_untested_scenes()
     for block in scenes:
-        print("docs/user-guide.md: this scene is in no file of tests/guide:\n" + block)
+        print("docs/user-guide.md: this scene is in no file of tests/guide or xml:\n" + block)
     unlinked = list(find_unlinked_pages())
     for problem in unlinked:
         print(problem)

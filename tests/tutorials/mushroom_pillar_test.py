@@ -63,6 +63,10 @@ class PullOff(unittest.TestCase):
         # The work of the pull breaks the bond, and the rest is released by the jump.
         rest = fine["external_work"][-1] + bond - fine["dissipated_energy"][-1]
         self.assertLess(abs(fine.summary["jumps"]["released"] / rest - 1), 0.01)
+        balance = fine["total_energy"] - fine["external_work"] + fine["dissipated_energy"]
+        released = fine["released_energy"]
+        self.assertEqual((released[0], released[-1]), (0, fine.summary["jumps"]["released"]))
+        self.assertLess(max(abs(balance + released - balance[0])), 0.01 * rest)
 
     def test_strong_bonds_tear_from_the_edge_by_the_singularity_of_the_corner(self):
         # A cohesive zone much shorter than the foot: the force grows with the strength to the power 2 lambda - 1.
