@@ -228,6 +228,37 @@ bool CellTree::balance(bool in_all_directions) {
   return changed;
 }
 
+double CellTree::forecast(const std::vector<RegionSearch>& regions, std::size_t enough) {
+  met_.assign(regions.size(), 0);
+  int deepest = 0;
+  for (const RegionSearch& region : regions) deepest = std::max(deepest, region.levels());
+  std::vector<int> open = leaves();
+  const std::size_t first_leaves = open.size();
+  double all = static_cast<double>(first_leaves), before = 0;
+  for (int level = 1; level <= deepest; ++level) {
+    std::vector<int> next;
+    double more = 0;
+    for (const int cell : open) {
+      const std::vector<int> axes = wanted_axes(cells_[at(cell)], regions);
+      if (axes.empty()) continue;
+      const auto first = static_cast<int>(cells_.size());
+      halve(cell, axes);
+      more += (1 << axes.size()) - 1;
+      for (int part = first; part < static_cast<int>(cells_.size()); ++part)
+        if (cells_[at(part)].first_child < 0) next.push_back(part);
+    }
+    all += more;
+    if (next.empty()) break;
+    if (before > 0 && all > static_cast<double>(first_leaves + enough)) {
+      const double factor = more / before;
+      for (; level < deepest; ++level) all += more *= factor;
+    }
+    before = more;
+    open = std::move(next);
+  }
+  return all;
+}
+
 void CellTree::split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most) {
   const auto refuse_many = [&] {
     if (static_cast<long long>(cells_.size()) > 2 * most)

@@ -16,6 +16,7 @@
 #include "mesh/local_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/splitting/cell_tree.hpp"
 #include "mesh/tied_nodes.hpp"
 #include "support/mesh_points.hpp"
 #include "support/refusal.hpp"
@@ -330,6 +331,20 @@ TEST(RefineTest, RanksSeeWhatTheirNodesFollow) {
   EXPECT_EQ(tied, static_cast<long long>(mesh.ties.size()));
 }
 
+TEST(RefineTest, ForecastsComeNearTheNumberOfCells) {
+  for (const int dimension : {2, 3})
+    for (const NamedRegion& region : {corner(dimension, 9 - dimension), ball(dimension, 9 - dimension)}) {
+      Mesh mesh = grid(dimension, 1), other = mesh;
+      std::vector<RegionSearch> regions;
+      regions.emplace_back(mesh, region.region);
+      CellTree tree(mesh);
+      tree.split(regions, {region.name}, most_refined_cells);
+      double leaves = 0;
+      tree.for_each_leaf([&](const TreeCell&) { ++leaves; });
+      EXPECT_NEAR(CellTree(other).forecast(regions, 2000) / leaves, 1, 0.35) << dimension << region.name << leaves;
+    }
+}
+
 TEST(RefineTest, RefusesWhatItCannotDo) {
   const auto with = [](const RefinedRegion& region) {
     return [region] {
@@ -348,6 +363,9 @@ TEST(RefineTest, RefusesWhatItCannotDo) {
   expect(with(three), "Lower has 3 coordinates");
   set.side_set = "botom";
   expect(with(set), "bottom");
+  far.lower = {0, 0};
+  far.levels = 30;
+  expect(with(far), "the refined mesh would have about ");
   axis.lower = {0, 0};
   axis.directions = "z";
   expect(with(axis), "no axis");
