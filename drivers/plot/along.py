@@ -50,8 +50,8 @@ def values_along(fields, nodes, frames, asked):
     if not names:
         raise ResultsError(f"{fields.path} has no field of a surface; Output/Fields of the scene chooses them, such as "
                            f"gap or contact_pressure. Fields of nodes: {', '.join(fields.nodal_names())}")
-    if not asked and "gap" not in names:
-        print("note: the run wrote no gap, pressure or slip; the scene's Output/Fields lists them, as in --set "
+    if not any(re.match("gap|pressure|contact_pressure|slip", name) for name in names):
+        print("note: these fields have no gap, pressure or slip; the scene's Output/Fields lists them, as in --set "
               "'Output/Fields={default, gap, contact_pressure}', and slip_NAME of an interaction with friction",
               file=sys.stderr)
     values = {}
@@ -64,8 +64,8 @@ def values_along(fields, nodes, frames, asked):
 
 
 def draw(folder, set_name, names, frames, output, formats):
-    """Draws and saves the figure. names: of fields, or None; frames: their numbers."""
-    fields = Fields(folder)
+    """Draws and saves the figure. names: of fields, or None; frames: their numbers among those that have the fields."""
+    fields = Fields(folder, *(names or ()))
     axis, nodes = way_along(fields, fields.nodes_of(set_name), set_name)
     values = values_along(fields, nodes, frames, names)
     places = [(fields.coordinates + fields.displacement(frame))[nodes, axis] for frame in frames]
@@ -87,11 +87,11 @@ def draw(folder, set_name, names, frames, output, formats):
     style.save(figure, output or fields.path.parent / f"along-{set_name}", formats)
 
 
-def frames_at(folder, times, count=4):
-    """Frames at given times, or some of a run with the one of the largest force."""
+def frames_at(folder, times, names, count=4):
+    """Frames with fields at given times, or some of a run with the one of the largest force."""
     import fields as configurations
     import overview
-    fields = Fields(folder)
+    fields = Fields(folder, *(names or ()))
     if times is not None:
         return configurations.chosen_frames(fields, times, None)
     return overview.frames_that_matter(Run(folder), fields, count)
@@ -107,7 +107,7 @@ def main():
     parser.add_figure()
     parser.add_si()
     arguments = parser.parse_args()
-    frames = frames_at(arguments.folder, arguments.times)
+    frames = frames_at(arguments.folder, arguments.times, arguments.field)
     draw(arguments.folder, arguments.set, arguments.field, frames, arguments.output, arguments.format)
 
 

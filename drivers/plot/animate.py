@@ -107,7 +107,7 @@ def main():
 
     target = arguments.output or str(pathlib.Path(arguments.folder) / "animation.gif")
     writer = writer_of(target, arguments.fps)  # refuses before anything is drawn
-    fields = Fields(arguments.folder)
+    fields = Fields(arguments.folder, "first_stress_invariant")
     if fields.dimension != 2:
         raise ResultsError(f"{fields.path}: the body is not plane; fields.py renders bodies in space")
     run = Run(arguments.folder, arguments.time)

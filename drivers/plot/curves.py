@@ -77,7 +77,7 @@ def draw_energies(axes, run):
         if run.has(f"{kind}_energy"):
             values = run[f"{kind}_energy"]
             draw_line(axes, run, values, color, kind, is_fast(values))
-    if "released_energy" in run.columns and np.nanmax(run["released_energy"]) > 0:
+    if "released_energy" in run.columns and (run["released_energy"] > 0).any():
         axes.plot(run["time"], run["released_energy"], color=style.COLORS[3], linestyle="--", label="released by jumps")
     key(axes)
 

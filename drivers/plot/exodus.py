@@ -14,16 +14,22 @@ class Fields:
 
     times: time of each frame; dimension: 2 or 3; coordinates: a row a node; cells: the nodes of each cell, a row a
     cell; wholes: for each cell of the scene's mesh its pieces in the file, more than one where a plane cell's side is
-    enriched. All is in the units of the axes."""
+    enriched. All is in the units of the axes. Frames of stages without displacement, or without a needed field, are left
+    out."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, *needed):
         self._file = result_files.Fields(existing(folder))
         self.path, self.dimension, self.cells = self._file.path, self._file.dimension, self._file.cells
-        if not len(self._file.times):
+        self._frames = np.arange(len(self._file.times))  # by number here: that in the file
+        if not len(self._frames):
             raise ResultsError(f"{self.path} has no frames")
+        for name in ("displacement", *needed):
+            self._frames = np.intersect1d(self._frames, self._file.frames_with(name))
+        if not len(self._frames):
+            raise ResultsError(f"{self.path}: no stage has all of displacement, {', '.join(needed)}")
         self._scales = units.scales(folder)
         self._body_dimension = 3 if is_axisymmetric(folder) else self.dimension
-        self.times = self._file.times * self._factor("time")
+        self.times = self._file.times[self._frames] * self._factor("time")
         self.coordinates = self._file.points * self._factor("length")
         self.wholes = self._join_pieces()
 
@@ -42,7 +48,7 @@ class Fields:
 
     def nodal(self, name, frame):
         """A nodal vector (displacement, velocity, ..., reaction): a row a node; of a scalar (gap) a value a node."""
-        return self._file.at(name, frame)
+        return self._file.at(name, self._frames[frame])
 
     def nodal_names(self):
         """The names of the fields of nodes."""
@@ -52,7 +58,7 @@ class Fields:
         """A field of nodes in the units of the axes: arrays by the names of its components, or of the field."""
         if not self._file.is_nodal(name):
             raise ResultsError(f"{self.path}: '{name}' is a field of cells; fields of nodes: {', '.join(self.nodal_names())}")
-        values = self._file.at(name, frame) * self._factor(units.field_quantity(name))
+        values = self._file.at(name, self._frames[frame]) * self._factor(units.field_quantity(name))
         if values.ndim == 1:
             return {name: values}
         return {name + axis: column for axis, column in zip("XYZ", values.T)}
@@ -69,7 +75,7 @@ class Fields:
         """A value a cell: of a field of cells, or the mean of a field of nodes over the cell's nodes; of a vector its
         magnitude. A component has a name of its own, such as stressXY and displacementX."""
         nodal = self._file.is_nodal(name)
-        values = self._file.at(name, frame)
+        values = self._file.at(name, self._frames[frame])
         if nodal and values.ndim > 1:
             values = np.linalg.norm(values, axis=1)
         if values.ndim > 1:
@@ -99,7 +105,7 @@ class Fields:
         """A global variable, such as total_energy, at a frame."""
         if name not in self._file.totals:
             raise ResultsError(f"{self.path} has no global variable '{name}'")
-        return float(self._file.totals[name][frame]) * self._factor("energy")
+        return float(self._file.totals[name][self._frames[frame]]) * self._factor("energy")
 
     def polygons(self, frame):
         """Outlines of the whole cells of a plane body, deformed: an array (corners, 2) a cell."""

@@ -111,7 +111,7 @@ def main():
     parser.add_si()
     arguments = parser.parse_args()
 
-    fields = Fields(arguments.folder)
+    fields = Fields(arguments.folder, arguments.field)
     wall = arguments.wall
     if wall is None and not arguments.no_wall:
         wall = flat_wall(arguments.folder)

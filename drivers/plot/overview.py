@@ -32,7 +32,7 @@ PANELS, NARROW = 4, 5.0  # configurations; inches of a figure that has room for 
 def read_fields(folder):
     """The fields, or None with a note where there are none or they cannot be read."""
     try:
-        return Fields(folder)
+        return Fields(folder, "first_stress_invariant")
     except ResultsError as error:
         print(f"no configurations: {error}", file=sys.stderr)
         return None
@@ -191,7 +191,7 @@ def main():
     arguments = parser.parse_args()
     if arguments.along:
         import along
-        frames = along.frames_at(arguments.folder, arguments.times)
+        frames = along.frames_at(arguments.folder, arguments.times, arguments.field)
         return along.draw(arguments.folder, arguments.along, arguments.field, frames, arguments.output, arguments.format)
     if arguments.times or arguments.field:
         parser.error("--times and --field belong to --along SET; fields.py draws other configurations")

@@ -168,7 +168,10 @@ class Fields:
         self.dimension = self.points.shape[1]
         for number in itertools.count(2):
             path = self.path.parent / f"fields-{number}.e"
-            later = _Series(path) if _parts_of(path) else None
+            try:
+                later = _Series(path) if _parts_of(path) else None
+            except FileError:  # the run still writes it, or was killed then
+                break
             if later is None or not later.has_mesh_of(first):  # an exchanged simulation may have another mesh
                 break
             self._series.append(later)
@@ -195,6 +198,8 @@ class Fields:
 
     def at(self, name: str, frame: int) -> np.ndarray:
         """Returns a field at a frame: a value, or a row of components, for each node or cell."""
+        if isinstance(frame, slice):
+            return self[name][frame]
         frame = range(len(self.times))[frame]
         for series in self._series:
             if frame < len(series.times):
@@ -210,6 +215,12 @@ class Fields:
     def components(self, name: str) -> list[str]:
         """Returns the names of a field's components, or of a field of one number."""
         return list(self._column(name)[1])
+
+    def frames_with(self, name: str) -> np.ndarray:
+        """Returns the numbers of the frames of the stages that have a field."""
+        names = self._column(name)[1]
+        has = [all(own in series.columns for own in names) for series in self._series]
+        return np.flatnonzero(np.repeat(has, [len(series.times) for series in self._series]))
 
     def is_nodal(self, name: str) -> bool:
         """Returns whether a field has values for nodes; FileError if there is no such field."""

@@ -59,9 +59,10 @@ class Run:
     def energy_error(self):
         """|E - E0 - external work + dissipated energy + energy released by jumps to other equilibria|, row by row; of the
         last three what came after the first row, where a restart in another folder has a past."""
-        work, lost, released = (
-            np.nan_to_num(self.columns.get(name, 0.0) - np.nan_to_num(self._first.get(name, 0.0)))
-            for name in ("external_work", "dissipated_energy", "released_energy"))
+        needed = "external_work", "dissipated_energy"
+        work, lost, released = (np.nan_to_num(self[name] - np.nan_to_num(self._first[name])) if name in needed or
+                                name in self.columns else 0.0
+                                for name in (*needed, "released_energy"))
         return np.abs(self["total_energy"] - self.initial_energy - work + lost + released)
 
     def reactions(self):

@@ -113,12 +113,14 @@ def field_quantity(field):
     """The quantity of a field of fields.e, or None for a number."""
     if field in ("first_stress_invariant", "jacobian"):
         return None
-    if re.fullmatch("gap(_.*)?|slip_.*|displacement[XYZ]?", field):
+    if re.fullmatch("gap(_.*)?|slip_.*|displacement(_?[XYZ])?", field):
         return "length"
-    if re.fullmatch("velocity[XYZ]?", field):
+    if re.fullmatch("velocity(_?[XYZ])?", field):
         return "speed"
-    if re.fullmatch("acceleration[XYZ]?", field):
+    if re.fullmatch("acceleration(_?[XYZ])?", field):
         return "acceleration"
+    if re.fullmatch("reaction(_?[XYZ])?", field):
+        return "force"
     if field.startswith(("normal_", "sliding_", "damage_")):  # of an interaction with any name
         return None
     if field.startswith("dissipated_") and field != "dissipated_energy_density":

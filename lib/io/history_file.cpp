@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <Teuchos_Time.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -23,6 +24,22 @@ std::string shortened(const std::string& path, std::uint64_t bytes) {
 
 }  // namespace
 
+std::vector<std::string> columns_of(const std::string& header) {
+  std::vector<std::string> names(1);
+  for (const char letter : header)
+    if (letter == ',')
+      names.emplace_back();
+    else
+      names.back() += letter;
+  return names;
+}
+
+bool are_alike(std::vector<std::string> columns, std::vector<std::string> others, const std::string& optional) {
+  for (std::vector<std::string>* names : {&columns, &others})
+    names->erase(std::remove(names->begin(), names->end(), optional), names->end());
+  return columns == others;
+}
+
 HistoryFile::HistoryFile(const std::string& path, const std::vector<std::string>& columns)
     : file_(path, DiskFile::Mode::Create), last_flush_(Teuchos::Time::wallTime()) {
   buffer_ = fmt::format("{}\n", fmt::join(columns, ","));
@@ -35,12 +52,14 @@ HistoryFile::HistoryFile(const std::string& path, const TableLength& length)
       last_flush_(Teuchos::Time::wallTime()),
       length_(length) {}
 
-void HistoryFile::verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length) {
+std::string HistoryFile::verify(const std::string& path, const std::vector<std::string>& columns,
+                                const std::string& optional, const TableLength& length) {
   std::ifstream file = open_text(path);
   std::string line;
   if (!file.is_open() || !std::getline(file, line) || file.eof())  // a line that does not end is none
     throw InputError(path + ": cannot resume: the table is missing. Choose another --output to start a new one");
-  if (line != fmt::format("{}", fmt::join(columns, ",")))
+  const std::string header = line;
+  if (!are_alike(columns_of(header), columns, optional))
     throw InputError(path +
                      ": cannot resume: the table has other columns than this run writes. Choose another --output");
   TableLength found{0, line.size() + 1};
@@ -53,6 +72,7 @@ void HistoryFile::verify(const std::string& path, const std::vector<std::string>
         fmt::format("{}: cannot resume: its first {} rows have {} bytes, and had {} when the checkpoint was written. "
                     "Choose another --output to start a new table",
                     path, found.rows, found.bytes, length.bytes));
+  return header;
 }
 
 HistoryFile::~HistoryFile() {

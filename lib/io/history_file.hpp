@@ -23,8 +23,10 @@ class HistoryFile {
   HistoryFile(const std::string& path, const std::vector<std::string>& columns);
   /// Continues the file that verify() accepted; drops what it holds beyond `length`.
   HistoryFile(const std::string& path, const TableLength& length);
-  /// Throws InputError if the existing file has other columns, or never had that length.
-  static void verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length);
+  /// Returns the header of the existing file: those columns, but for `optional`, which it may have or lack. Throws
+  /// InputError if it has others, or never had that length.
+  static std::string verify(const std::string& path, const std::vector<std::string>& columns,
+                            const std::string& optional, const TableLength& length);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
@@ -44,6 +46,12 @@ class HistoryFile {
   std::string buffer_;
   TableLength length_;
 };
+
+/// Returns the columns of a header.
+std::vector<std::string> columns_of(const std::string& header);
+
+/// Returns whether columns are the same, but for one that either may have or lack.
+bool are_alike(std::vector<std::string> columns, std::vector<std::string> others, const std::string& optional);
 
 /// Throws InputError, with the list path, for a name that cannot head a column of comma-separated values.
 void check_column_name(const std::string& path, const std::string& name);

@@ -26,21 +26,30 @@ std::size_t place_of(const std::vector<std::string>& columns, const std::string&
 History::History(Simulation& simulation)
     : simulation_(simulation),
       row_(simulation),
-      columns_(simulation.run_columns()),
-      released_place_(place_of(columns_, released_column)),
       max_energy_error_(simulation.output().energies ? 0.0 : empty),
       contacts_(row_.contact_names()) {
-  for (const std::string& name : row_.columns()) places_.push_back(place_of(columns_, name));
+  take_columns(simulation.run_columns());
   for (const std::string& column : row_.force_columns()) max_forces_.emplace_back(column, 0.0);
   forces_ = max_forces_;
+}
+
+/// Sets the columns of the file.
+void History::take_columns(const std::vector<std::string>& columns) {
+  columns_ = columns;
+  places_.clear();
+  for (const std::string& name : row_.columns()) places_.push_back(place_of(columns_, name));
+  released_place_ = place_of(columns_, released_column);
 }
 
 void History::create(const std::string& path) {
   on_first_rank(simulation_.model().space().comm(), [&] { file_ = std::make_unique<HistoryFile>(path, columns_); });
 }
 
-void History::verify(const std::string& path) const {
-  on_first_rank(simulation_.model().space().comm(), [&] { HistoryFile::verify(path, columns_, length_); });
+void History::verify(const std::string& path) {
+  const Comm& comm = simulation_.model().space().comm();
+  std::string header;
+  on_first_rank(comm, [&] { header = HistoryFile::verify(path, columns_, released_column, length_); });
+  take_columns(columns_of(from_first_rank(comm, header)));
 }
 
 void History::resume(const std::string& path) {
@@ -51,7 +60,7 @@ void History::resume(const std::string& path) {
 }
 
 void History::go_on_from(History& before) {
-  if (columns_ != before.columns_) {
+  if (!are_alike(columns_, before.columns_, released_column)) {
     const auto [own, other] =
         std::mismatch(columns_.begin(), columns_.end(), before.columns_.begin(), before.columns_.end());
     const auto name = [](const std::vector<std::string>& all, auto at) { return at == all.end() ? "none" : *at; };
@@ -60,6 +69,7 @@ void History::go_on_from(History& before) {
                     "it was {}",
                     own - columns_.begin() + 1, name(columns_, own), name(before.columns_, other)));
   }
+  take_columns(before.columns_);
   file_ = std::move(before.file_);
   initial_energy_ = before.initial_energy_;
   balance_ = before.balance_;

@@ -23,8 +23,9 @@ class History {
 
   /// Creates the file. Throws FileError.
   void create(const std::string& path);
-  /// Throws InputError unless the file is the one that existed when the loaded checkpoint was written.
-  void verify(const std::string& path) const;
+  /// Throws InputError unless the file is the one that existed when the loaded checkpoint was written. Rows then have
+  /// the column of released energy if the file has it: a run may go on with another scheme.
+  void verify(const std::string& path);
   /// Continues the verified file; drops later rows.
   void resume(const std::string& path);
 
@@ -59,16 +60,17 @@ class History {
   void close();  ///< after the last row; throws FileError
 
   /// Takes the file and the sums of the history of another simulation, which ends. Throws InputError, on all ranks, if
-  /// its columns are others.
+  /// its columns are others, but for that of released energy.
   void go_on_from(History& before);
 
   /// Writes or reads the sums and the length of the file for checkpoints.
   void transfer(Record& record);
-  /// Does so with the jumps.
+  /// Writes or reads the jumps, which checkpoints have among the measures of a run.
   void transfer_jumps(Record& record);
 
  private:
   void record(const RowCounts& counts, bool may_jump);
+  void take_columns(const std::vector<std::string>& columns);
   void keep_forces(const std::vector<double>& forces);
   double& largest_force(const std::string& column);
 
@@ -76,7 +78,7 @@ class History {
   HistoryRow row_;
   std::vector<std::string> columns_;   ///< of the file
   std::vector<std::size_t> places_;    ///< among them, of the numbers of a row
-  std::size_t released_place_;         ///< among them, of the energy that jumps released; their number if there is none
+  std::size_t released_place_ = 0;     ///< among them, of the energy that jumps released; their number if there is none
   TableLength length_;                 ///< of the file, as loaded
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   /// Energy at the first row, less external work, plus dissipation; NaN if no energies were recorded yet.

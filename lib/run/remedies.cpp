@@ -41,7 +41,7 @@ std::vector<Remedy> remedies(const Simulation& simulation, bool ran_out) {
   // Shorter steps only come nearer to the largest load that the body bears.
   const bool is_overloaded =
       load_grows(simulation.model(), simulation.integrator().state(), simulation.step_control().time_step);
-  all.insert(is_overloaded ? all.end() - 1 : all.end(),
+  all.insert(is_overloaded ? all.begin() : all.end(),
              {"a dynamic scheme, which needs motions with an acceleration", "Time Integrator/Type=Generalized-Alpha"});
   return all;
 }

@@ -86,12 +86,11 @@ void RunFiles::open_folder(bool goes_on) {
 void RunFiles::create() {
   history_.create(history_path());
   if (fields_) begin_frames();
-  history_.record_first(counts_);
-  counts_.newton_iterations = counts_.linear_iterations = 0;
+  row(true);
   recorded_ = framed_ = true;
 }
 
-void RunFiles::verify() const {
+void RunFiles::verify() {
   history_.verify(history_path());
   if (has_frames()) fields_->verify(field_length_);
 }
@@ -116,8 +115,11 @@ void RunFiles::count(const StepResult& attempt, double wall_seconds) {
   counts_.wall_seconds = wall_seconds;
 }
 
-void RunFiles::row() {
-  history_.record(counts_);
+void RunFiles::row(bool is_first) {
+  if (is_first)
+    history_.record_first(counts_);
+  else
+    history_.record(counts_);
   counts_.newton_iterations = counts_.linear_iterations = 0;
 }
 

@@ -35,7 +35,7 @@ class RunFiles {
   /// New files, which begin with the present state.
   void create();
   /// Are the files those that were there when the loaded checkpoint was written? Throws InputError where they are not.
-  void verify() const;
+  void verify();
   /// Goes on with them, once verified; what came after the checkpoint is dropped. Frames begin where there were none.
   void resume();
 
@@ -63,7 +63,7 @@ class RunFiles {
  private:
   bool has_frames() const { return fields_ && field_length_.frames > 0; }
   void begin_frames();
-  void row();
+  void row(bool is_first = false);
   std::string history_path() const { return folder_ + "/history.csv"; }
   std::string numbered(const std::string& name, long exchanges, const std::string& extension) const;
   std::string scene_path() const { return numbered("effective", exchanges_, ".xml"); }

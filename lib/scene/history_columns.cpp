@@ -101,7 +101,6 @@ HistoryColumns history_columns(const Simulation& simulation) {
   for (const std::string& field : simulation.output().norms) columns.add("Output/Norms", norm_column(field));
   if (simulation.output().strains)
     for (const char* column : strain_columns) columns.add("Output/Strains", column);
-  if (model.mass() == nullptr) columns.add("Time Integrator", released_column);
   return {columns.names(), reactions};
 }
 

@@ -69,6 +69,13 @@ std::vector<std::string> interaction_names(const List& scene) {
   return names;
 }
 
+/// Returns the columns of a run with this simulation alone.
+std::vector<std::string> columns_of_run(const Simulation& simulation) {
+  std::vector<std::string> columns = history_columns(simulation).names;
+  if (simulation.model().mass() == nullptr) columns.emplace_back(released_column);
+  return columns;
+}
+
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder, const GivenHistories& given)
@@ -152,7 +159,7 @@ void Simulation::look_ahead() {
     for (const std::string& note : next->notes())
       if (known.insert(note).second) notes_.push_back(placed(stages().path(number), note));
     std::vector<std::string>& all = plan_->columns;
-    for (const std::string& column : history_columns(*next).names)
+    for (const std::string& column : columns_of_run(*next))
       if (std::find(all.begin(), all.end(), column) == all.end()) all.push_back(column);
   }
 }
@@ -313,10 +320,10 @@ void Simulation::build_model(const Comm& comm, Inertia inertia) {
       if (!stages().any()) check_held(*model_, name);  // a stage may let go
     });
   }
-  chosen_fields(output_.fields, *model_);                 // refuses those that the model does not have
-  norm_fields(output_.norms, *model_);                    // the same
-  const HistoryColumns columns = history_columns(*this);  // refuses names that make no columns
-  if (plan_->columns.empty()) plan_->columns = columns.names;
+  chosen_fields(output_.fields, *model_);                          // refuses those that the model does not have
+  norm_fields(output_.norms, *model_);                             // the same
+  const std::vector<std::string> columns = columns_of_run(*this);  // refuses names that make no columns
+  if (plan_->columns.empty()) plan_->columns = columns;
 }
 
 void Simulation::build_integrator(Table table) {

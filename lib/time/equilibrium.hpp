@@ -7,7 +7,8 @@
 
 namespace ixos {
 
-/// Returns whether dead loads grow in a step of length dt from `start`: forces that are no springs'. Collective.
+/// Returns whether dead loads grow in a step of length dt from `start`: forces that are no springs'; false if there are
+/// springs, whose drives the model does not tell from loads. Collective.
 bool load_grows(const Model& model, const State& start, double dt);
 
 /// Returns why a quasi-static step from the equilibrium `start` failed, for the user: the load up to which

@@ -154,8 +154,8 @@ TEST_F(RestartDriverTest, CheckSaysWhetherARestartWouldGo) {
 }
 
 TEST_F(RestartDriverTest, EveryFailureIsExitStatusThreeWithACheckpointAndAReason) {
-  const auto fails = [&](const std::string& more, const std::string& reason) {
-    for (int ranks : {1, 2}) {
+  const auto fails = [&](const std::string& more, const std::string& reason, const std::vector<int>& numbers = {1}) {
+    for (const int ranks : numbers) {
       std::filesystem::remove_all(path("out"));
       const Outcome outcome = run("--quiet --output out " + more, ranks);
       EXPECT_EQ(outcome.status, 3) << more << ": " << outcome.output;
@@ -171,14 +171,14 @@ TEST_F(RestartDriverTest, EveryFailureIsExitStatusThreeWithACheckpointAndAReason
   fails(belos +
             "--set 'Linear Solver/Preconditioner Type=None' --set "
             "'Linear Solver/Linear Solver Types/Belos/Solver Types/Pseudo Block CG/Maximum Iterations=1'",
-        "Newton's iteration");
+        "Newton's iteration", {2});
   const std::string newmark = "--set 'Time Integrator/Type=Newmark' ";
   const std::string fast = "--set 'Initial Conditions/Velocity={0, -20000}' ";
   fails(newmark + fast, "Newton's iteration");
   fails("--set 'Time Integrator/Type=Central Difference' " + fast,
         "in an explicit step a gap closes, an element inverts");
   // With cuts allowed, each is tried.
-  fails(newmark + fast + "--set '" + control + "Maximum Cuts=3'", "an element inverts");
+  fails(newmark + fast + "--set '" + control + "Maximum Cuts=3'", "an element inverts", {1, 2});
   const std::string summary = contents(path("out/summary.json"));
   const auto rejected = summary.find("\"rejected_steps\": ") + 18;
   EXPECT_GT(std::stol(summary.substr(rejected)), 3) << summary;

@@ -9,7 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const TableLength length{data[0], data[1]};
   const fuzz::MemoryFile file(data + 2, size - 2);
   try {
-    HistoryFile::verify(file.path(), {"time", "gap"}, length);
+    HistoryFile::verify(file.path(), {"time", "gap"}, "time", length);
   } catch (const InputError& error) {
     fuzz::expect_message(error);
     return 0;

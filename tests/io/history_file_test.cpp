@@ -40,7 +40,7 @@ TEST(HistoryFileTest, OnlyATableThatHadThatLengthIsGoneOnWith) {
   const auto fits = [&](const std::string& contents, const TableLength& length) {
     std::ofstream(path) << contents;
     try {
-      HistoryFile::verify(path, {"time", "gap"}, length);
+      HistoryFile::verify(path, {"time", "gap"}, "released_energy", length);
     } catch (const InputError&) {
       return false;
     }
@@ -52,6 +52,8 @@ TEST(HistoryFileTest, OnlyATableThatHadThatLengthIsGoneOnWith) {
   EXPECT_FALSE(fits("time,gap", {0, 9})) << "a header that does not end";
   EXPECT_FALSE(fits("time,gap\n0,12\n", {1, 13}));
   EXPECT_FALSE(fits("time\n", {0, 5}));
+  EXPECT_TRUE(fits("time,released_energy,gap\n", {0, 25})) << "a column that may be there";
+  EXPECT_FALSE(fits("time,gap,other\n", {0, 15}));
   std::filesystem::remove(path);
 }
 

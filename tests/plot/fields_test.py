@@ -202,10 +202,17 @@ class FieldsTest(ScriptTest):
         late, early = np.isnan(fields["velocity"]).all(axis=(1, 2)), np.isnan(fields["gap"]).all(axis=1)
         self.assertEqual((list(np.flatnonzero(~late)), list(np.flatnonzero(~early))),
                          (list(range(len(late) - last)), list(range(len(late) - last, len(late)))))
+        self.assertEqual(list(fields.frames_with("gap")), list(np.flatnonzero(~early)))
+        with_gap = Fields(folder, "gap")
+        np.testing.assert_array_equal(with_gap.times, fields.times[~early])
+        np.testing.assert_array_equal(with_gap.nodal("gap", 0), fields.at("gap", len(late) - last))
+        np.testing.assert_array_equal(fields.at("gap", slice(-3, None)), fields["gap"][-3:])
         for frame in (0, 3, -1):
             np.testing.assert_array_equal(fields.at("displacement", frame), fields["displacement"][frame])
         head = fields.nodes("top")
         np.testing.assert_allclose(fields.at("displacement", -1)[head, 1], 6 - 0.3 * pressed, rtol=1e-6)
+        (folder / "fields-2.e").write_bytes(b"CDF")  # killed while it wrote
+        self.assertEqual(len(result_files.Fields(folder).times), len(late) - last)
 
     @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")
     def test_the_reader_on_ioss_joins_tensors_too(self):

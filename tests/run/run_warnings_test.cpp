@@ -10,6 +10,7 @@
 #include "interaction/catalogue.hpp"
 #include "interaction/gap_law.hpp"
 #include "run/restart_fixture.hpp"
+#include "study/common/history_table.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
 
@@ -221,6 +222,34 @@ TEST_F(RunMeasuresTest, ASnapReleasesTheDifferenceOfTheEnergies) {
     std::ifstream file(folder("lifted") + "/summary.json");
     EXPECT_EQ(nlohmann::json::parse(file).at("jumps").at("count"), 1);
   });
+}
+
+TEST_F(RunMeasuresTest, TheEnergyThatAJumpReleasedStaysAColumnInRestartsAndWithOtherSchemes) {
+  const std::string written = list("Output", checkpoints(1, 100)), density = number("Density", 1);
+  const std::string scene = lifted_off(12, "Quintic", 0.05, density) + written;
+  const RunResult whole = expect_goes_on(scene, {2, 12, 19});
+  ASSERT_EQ(whole.jumps.count, 1);
+  const double released = whole.jumps.released;
+  world()->barrier();
+  const HistoryTable rows(folder("whole") + "/history.csv");
+  const std::vector<double>& column = rows.column("released_energy");
+  EXPECT_EQ(column.front(), 0);
+  EXPECT_EQ(column.back(), released);
+  const std::vector<double>&total = rows.column("total_energy"), &work = rows.column("external_work");
+  for (std::size_t k = 0; k < rows.rows(); ++k)
+    EXPECT_NEAR(total[k] - work[k] + column[k], total[0], 0.02 * released) << k;  // the work of a step by trapezoids
+  run_scene(scene, "elsewhere", checkpoint("whole", 19));
+  world()->barrier();
+  EXPECT_EQ(HistoryTable(folder("elsewhere") + "/history.csv").column("released_energy").front(), released);
+  std::string moving = scene;
+  moving.replace(moving.find("Static"), 6, "Newmark");
+  EXPECT_EQ(run_scene(moving, "whole", checkpoint("whole", 19)).status, RunStatus::Completed);
+  world()->barrier();
+  EXPECT_EQ(HistoryTable(folder("whole") + "/history.csv").column("released_energy").back(), released);
+  EXPECT_EQ(run_scene(moving, "moving").status, RunStatus::Completed);
+  world()->barrier();
+  EXPECT_FALSE(HistoryTable(folder("moving") + "/history.csv").has("released_energy"));
+  EXPECT_EQ(run_scene(scene, "moving", checkpoint("moving", 19)).status, RunStatus::Completed);
 }
 
 TEST_F(RunMeasuresTest, ALoadThatActsAtOnceIsNoJump) {

@@ -228,32 +228,24 @@ bool CellTree::balance(bool in_all_directions) {
   return changed;
 }
 
-double CellTree::forecast(const std::vector<RegionSearch>& regions, std::size_t enough) {
+double CellTree::forecast(const std::vector<RegionSearch>& regions, std::size_t sample) {
   met_.assign(regions.size(), 0);
-  int deepest = 0;
-  for (const RegionSearch& region : regions) deepest = std::max(deepest, region.levels());
   std::vector<int> open = leaves();
-  const std::size_t first_leaves = open.size();
-  double all = static_cast<double>(first_leaves), before = 0;
-  for (int level = 1; level <= deepest; ++level) {
-    std::vector<int> next;
-    double more = 0;
-    for (const int cell : open) {
-      const std::vector<int> axes = wanted_axes(cells_[at(cell)], regions);
-      if (axes.empty()) continue;
+  double all = static_cast<double>(open.size()), weight = 1;  // cells for which one of the sample stands
+  while (!open.empty()) {
+    std::vector<int> wanted, next;
+    for (const int cell : open)
+      if (!wanted_axes(cells_[at(cell)], regions).empty()) wanted.push_back(cell);
+    const std::size_t stride = wanted.size() / sample + 1, kept = (wanted.size() + stride - 1) / stride;
+    if (kept > 0) weight *= static_cast<double>(wanted.size()) / static_cast<double>(kept);
+    for (std::size_t k = 0; k < wanted.size(); k += stride) {
+      const std::vector<int> axes = wanted_axes(cells_[at(wanted[k])], regions);
       const auto first = static_cast<int>(cells_.size());
-      halve(cell, axes);
-      more += (1 << axes.size()) - 1;
+      halve(wanted[k], axes);
+      all += weight * ((1 << axes.size()) - 1);
       for (int part = first; part < static_cast<int>(cells_.size()); ++part)
         if (cells_[at(part)].first_child < 0) next.push_back(part);
     }
-    all += more;
-    if (next.empty()) break;
-    if (before > 0 && all > static_cast<double>(first_leaves + enough)) {
-      const double factor = more / before;
-      for (; level < deepest; ++level) all += more *= factor;
-    }
-    before = more;
     open = std::move(next);
   }
   return all;

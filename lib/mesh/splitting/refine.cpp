@@ -146,20 +146,20 @@ void drop_middles(Mesh& mesh) {
   mesh.linear_nodes = -1;
 }
 
-/// Throws InputError before minutes pass and the memory is full.
-void refuse_far_too_many(const Mesh& mesh, const std::vector<RegionSearch>& regions) {
+/// Throws InputError before minutes pass and the memory is full. A region alone makes no more cells than all together.
+void refuse_far_too_many(const Mesh& mesh, const NamedRegion& region) {
   constexpr int deep = 6;
-  constexpr std::size_t enough = 20000;
-  const bool all_are_shallow =
-      std::all_of(regions.begin(), regions.end(), [](const RegionSearch& own) { return own.levels() <= deep; });
-  if (all_are_shallow) return;
+  constexpr std::size_t sample = 2000;
+  if (region.region.levels <= deep) return;
   Mesh trial = mesh;
-  const double cells = CellTree(trial).forecast(regions, enough);
-  if (cells > 1.5 * static_cast<double>(most_refined_cells))
+  std::vector<RegionSearch> alone;
+  alone.emplace_back(mesh, region.region);
+  const double cells = CellTree(trial).forecast(alone, sample);
+  if (cells > 2 * static_cast<double>(most_refined_cells))
     throw InputError(
-        fmt::format("the refined mesh would have about {:.2g} cells, more than {}; use fewer levels or "
-                    "smaller regions",
-                    cells, most_refined_cells));
+        fmt::format("{}: the refined mesh would have about {:.2g} cells, more than {}; use fewer levels or "
+                    "a smaller region",
+                    region.name, cells, most_refined_cells));
 }
 
 }  // namespace
@@ -183,7 +183,7 @@ void refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order) {
       throw InputError(region.name + ": " + error.what());
     }
   }
-  refuse_far_too_many(mesh, searches);
+  for (const NamedRegion& region : regions) refuse_far_too_many(mesh, region);
   const int nodes_before = mesh.nodes();
   CellTree tree(mesh);
   tree.split(searches, names, most_refined_cells);

@@ -15,14 +15,14 @@
 #include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
 #include "mesh/side_set_nodes.hpp"
+#include "scene/examine/pair_numbers.hpp"
+#include "scene/examine/surface_shape.hpp"
 #include "scene/read/mesh_parts.hpp"
 
 namespace ixos {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-using Point = std::array<double, 3>;
 
 /// Calls visit(node) for the nodes of all cells of the block, of enriched ones for those of their plain_type(); returns
 /// whether there is one.
@@ -57,29 +57,6 @@ std::optional<BodyNumbers> body_numbers(const std::string& name, const Material&
   return body;
 }
 
-/// Returns the extent of a connected part along a direction.
-double extent_along(const Mesh& mesh, const std::vector<int>& parts, int part, const Point& direction) {
-  double lowest = infinity, highest = -infinity;
-  for (int node = 0; node < mesh.nodes(); ++node) {
-    if (parts[static_cast<std::size_t>(node)] != part || mesh.is_derivative(node)) continue;
-    const Point x = node_place(mesh, node);
-    const double place = x[0] * direction[0] + x[1] * direction[1] + x[2] * direction[2];
-    lowest = std::min(lowest, place);
-    highest = std::max(highest, place);
-  }
-  return highest - lowest;
-}
-
-/// Returns the places of a side's corners, along its rim; then, of a quadratic cell, those of its other nodes.
-std::vector<Point> side_points(const Mesh& mesh, const Side& side) {
-  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
-  std::vector<Point> points;
-  for (int a : side_nodes(is_quadratic(block.type) ? block.type : corner_type(block.type), side.side))
-    points.push_back(node_place(mesh, nodes[a]));
-  return points;
-}
-
 /// Returns the length of a side between its corners, in 3D its area.
 double measure_of(const Mesh& mesh, const Side& side) {
   const std::array<double, 3> normal = outward_normal(mesh, side);
@@ -87,40 +64,15 @@ double measure_of(const Mesh& mesh, const Side& side) {
   return mesh.dimension == 2 ? length : 0.5 * length;
 }
 
-ObstacleGap obstacle_gap(const Obstacle& obstacle, const Point& x) { return obstacle.at({x[0], x[1], x[2]}); }
+ObstacleGap obstacle_gap(const Obstacle& obstacle, const Vec<3>& x) { return obstacle.at({x[0], x[1], x[2]}); }
 
 /// Returns the curvature 1/R of a sphere's surface that has the obstacle's mean curvature below x: on parallel surfaces
 /// a sphere's distance g from R bends by 1/(R + g) in each direction.
-double curvature_below(const Obstacle& obstacle, const Point& x, int dimension) {
+double curvature_below(const Obstacle& obstacle, const Vec<3>& x, int dimension) {
   const ObstacleGap found = obstacle_gap(obstacle, x);
   double bend = 0;
   for (std::size_t i = 0; i < 3; ++i) bend += found.bend[i][i][0] / (dimension - 1);
   return bend == 0 ? 0 : 1 / (1 / bend - found.gap[0]);
-}
-
-/// Returns the curvature 1/R of a surface at a place whose outward normal is -`normal`, as its nodes around have it; 0
-/// if it is flat there, hollow, an edge, or too coarse. Hanging nodes and those of enrichment are on straight sides.
-double curvature_of(const Mesh& mesh, const SideSet& set, const Vec<3>& apex, const Vec<3>& normal) {
-  constexpr double steep = 0.2, least_turn = 0.01, scatter = 0.25;  // of dheight/dr, of the curvature
-  std::set<int> nodes = nodes_of(mesh, set);
-  for (const Tie& tie : mesh.ties) nodes.erase(tie.node);
-  std::vector<double> curvatures;
-  double farthest = 0;
-  for (const int node : nodes) {
-    if (mesh.plain_nodes >= 0 && node >= mesh.plain_nodes) continue;
-    const Vec<3> way = node_place(mesh, node) - apex;
-    const double height = inner(way, normal), along = std::sqrt(std::max(0.0, inner(way, way) - height * height));
-    if (!(along > 0) || 2 * std::abs(height) > steep * along) continue;
-    curvatures.push_back(2 * height / (along * along));
-    farthest = std::max(farthest, along);
-  }
-  if (curvatures.size() < 3) return 0;
-  std::sort(curvatures.begin(), curvatures.end());
-  const std::size_t n = curvatures.size();
-  const double middle = curvatures[n / 2];
-  const bool is_round = middle * farthest > least_turn && curvatures[n / 10] > (1 - scatter) * middle &&
-                        curvatures[n - 1 - n / 10] < (1 + scatter) * middle;
-  return is_round ? middle : 0;
 }
 
 void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
@@ -141,11 +93,11 @@ void take_missing_bonds(const SceneInteraction& interaction, SurfaceNumbers& num
 
 /// Adds what the sides of the set show; `nearest` becomes the node of least gap.
 void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, SurfaceNumbers& numbers,
-               Point& nearest) {
+               Vec<3>& nearest) {
   numbers.least_gap = infinity;
   numbers.largest_gap = -infinity;
   for (const Side& side : set.sides)
-    for (const Point& point : side_points(mesh, side)) {
+    for (const Vec<3>& point : side_points(mesh, side)) {
       const double gap = obstacle_gap(obstacle, point).gap[0];
       numbers.largest_gap = std::max(numbers.largest_gap, gap);
       if (!(gap < numbers.least_gap)) continue;
@@ -153,22 +105,6 @@ void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, S
       nearest = point;
     }
   numbers.face_length = mean_face_length(mesh, set);
-}
-
-/// Returns the shorter side of the box around the sides of a set, without the axis that is nearest to the normal; of a
-/// body of revolution its outer radius, where the surface lies across the axis.
-double extent_of(const Mesh& mesh, const SideSet& set, const Point& normal) {
-  Bounds box;
-  for (const Side& side : set.sides)
-    for (const Point& point : side_points(mesh, side)) box.add(point);
-  std::size_t along = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (std::abs(normal[i]) > std::abs(normal[along])) along = i;
-  if (mesh.axisymmetric && along == 1) return box.upper[0];
-  double extent = infinity;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i)
-    if (i != along) extent = std::min(extent, box.extent(i));
-  return extent;
 }
 
 }  // namespace
@@ -188,6 +124,12 @@ double cohesive_zone(double plane_modulus, double work, double peak_traction, do
   return std::min(bulk, std::pow(2.0 / 3 * bulk * thickness * thickness * thickness, 0.25));
 }
 
+void add_tabor(double radius, double plane_modulus, SurfaceNumbers& numbers) {
+  numbers.radius = radius;
+  const double elastic = numbers.work / plane_modulus;
+  numbers.tabor = std::cbrt(radius * elastic * elastic / std::pow(numbers.equilibrium_gap, 3));
+}
+
 CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::vector<Material>& materials,
                                              const std::vector<SceneInteraction>& interactions, const Mesh& mesh,
                                              const std::vector<int>& parts) {
@@ -201,45 +143,56 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
       all.bodies.push_back(*body);
     }
   const std::vector<SceneNode> shapes = part_lists(scene.sublist("Mesh"));
-  for (std::size_t i = 0; i < interactions.size(); ++i) {
-    const SceneInteraction& interaction = interactions[i];
-    if (interaction.is_pair()) continue;  // no obstacle
-    const SideSet* const set = find_set(mesh.side_sets, interaction.side_set);
-    if (set == nullptr || set->sides.empty()) continue;
+  // The surface of a name, if it is on a body.
+  const auto surface_of = [&](const std::string& name) -> std::optional<PairSurface> {
+    const SideSet* const set = find_set(mesh.side_sets, name);
+    if (set == nullptr || set->sides.empty()) return std::nullopt;
     const Side& first = set->sides.front();
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(first.block)];
     const auto material =
         std::find_if(materials.begin(), materials.end(), [&](const Material& own) { return own.block == block.name; });
-    if (material == materials.end()) continue;
+    if (material == materials.end()) return std::nullopt;
+    const int node = block.nodes[cell_entry(first.cell, nodes_per_cell(block.type))];
+    const SceneNode& shape = list_of(block, shapes);
+    const std::string type = shape.text("Type");
+    const bool is_ball = type == "Disk" || type == "Ball";
+    return PairSurface{*set, all.bodies[body_of[static_cast<std::size_t>(material - materials.begin())]],
+                       parts[static_cast<std::size_t>(node)],
+                       is_ball ? 2 / shape.sublist(type).number("Diameter") : 0.0};
+  };
+  for (std::size_t i = 0; i < interactions.size(); ++i) {
+    const SceneInteraction& interaction = interactions[i];
+    const auto surface = surface_of(interaction.side_set);
+    if (!surface) continue;
+    const BodyNumbers& body = surface->body;
     SurfaceNumbers numbers;
     numbers.name = interaction.node.name();
     numbers.interaction = i;
-    numbers.side_set = static_cast<std::size_t>(set - mesh.side_sets.data());
-    numbers.body = body_of[static_cast<std::size_t>(material - materials.begin())];
-    numbers.part = parts[static_cast<std::size_t>(block.nodes[cell_entry(first.cell, nodes_per_cell(block.type))])];
-    const BodyNumbers& body = all.bodies[numbers.body];
-    const auto obstacle = obstacles().make(interaction.node, static_cast<std::size_t>(mesh.dimension));
-    Point nearest{};
+    numbers.side_set = static_cast<std::size_t>(&surface->set - mesh.side_sets.data());
+    numbers.body = static_cast<std::size_t>(&body - all.bodies.data());
+    numbers.part = surface->part;
     add_law(interaction, numbers);
-    add_sides(mesh, *set, *obstacle, numbers, nearest);
+    if (interaction.is_pair()) {
+      const auto other = surface_of(interaction.primary);
+      if (!other || interaction.primary == interaction.side_set) continue;
+      add_pair(mesh, parts, *surface, *other, numbers);
+      all.pairs.push_back(std::move(numbers));
+      continue;
+    }
+    const auto obstacle = obstacles().make(interaction.node, static_cast<std::size_t>(mesh.dimension));
+    Vec<3> nearest{};
+    add_sides(mesh, surface->set, *obstacle, numbers, nearest);
     take_missing_bonds(interaction, numbers);
     numbers.elastic_length = numbers.work / body.modulus;
     const ObstacleGap found = obstacle_gap(*obstacle, nearest);
     for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = found.normal[axis][0];
-    numbers.extent = extent_of(mesh, *set, numbers.normal);
+    numbers.extent = extent_of(mesh, surface->set, numbers.normal);
     numbers.thickness = extent_along(mesh, parts, numbers.part, numbers.normal);
     numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, numbers.thickness);
-    const SceneNode& shape = list_of(block, shapes);
     double curvature = curvature_below(*obstacle, nearest, mesh.dimension);
-    if (const std::string type = shape.text("Type"); type == "Disk" || type == "Ball")
-      curvature += 2 / shape.sublist(type).number("Diameter");
-    else
-      curvature += curvature_of(mesh, *set, nearest, numbers.normal);
-    if (curvature > 0) {
-      numbers.radius = 1 / curvature;
-      const double elastic = numbers.elastic_length * body.modulus / body.plane_modulus;
-      numbers.tabor = std::cbrt(numbers.radius * elastic * elastic / std::pow(numbers.equilibrium_gap, 3));
-    }
+    curvature +=
+        surface->curvature > 0 ? surface->curvature : curvature_of(mesh, surface->set, nearest, numbers.normal);
+    if (curvature > 0) add_tabor(1 / curvature, body.plane_modulus, numbers);
     numbers.attraction_speed = std::sqrt(2 * numbers.work / (body.density * numbers.thickness));
     numbers.gap_crossing_time = numbers.equilibrium_gap / numbers.attraction_speed;
     all.surfaces.push_back(std::move(numbers));

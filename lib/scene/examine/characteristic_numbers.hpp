@@ -52,7 +52,8 @@ struct SurfaceNumbers {
 
 struct CharacteristicNumbers {
   std::vector<BodyNumbers> bodies;       ///< materials whose block the mesh has
-  std::vector<SurfaceNumbers> surfaces;  ///< interactions whose side set lies on such a body
+  std::vector<SurfaceNumbers> surfaces;  ///< interactions with an obstacle whose side set lies on such a body
+  std::vector<SurfaceNumbers> pairs;     ///< interactions of two surfaces on such bodies, see add_pair()
 };
 
 /// Returns the mean length of the sides; in 3D the root of their mean area [L0].
@@ -62,6 +63,9 @@ double mean_face_length(const Mesh& mesh, const SideSet& set);
 /// Petersson 1976), but no more than (2 E* W h^3/(3 s0^2))^(1/4), at which the constant traction s0 bends a plate of
 /// thickness h off the wall with the work W (M^2 = 2 E* h^3/12 W for the moment M = s0 l^2/2 per width).
 double cohesive_zone(double plane_modulus, double work, double peak_traction, double thickness);
+
+/// Sets the radius [L0] and Tabor's number of a surface whose law is known; `plane_modulus`: E* [E0].
+void add_tabor(double radius, double plane_modulus, SurfaceNumbers& numbers);
 
 /// Returns the height of a column whose weight compresses its foot by a stress of Young's modulus [L0]; `weight` per
 /// volume [E0/L0], positive.

@@ -55,6 +55,11 @@ std::string surface(const SurfaceNumbers& numbers, const Writer& write) {
   return text;
 }
 
+std::string pair(const SurfaceNumbers& numbers, const Writer& write) {
+  if (numbers.extent > 0) return surface(numbers, write);
+  return fmt::format("  {}: two surfaces that do not face each other at rest, which have no regime\n", numbers.name);
+}
+
 double length(const std::vector<double>& vector) {
   double square = 0;
   for (double component : vector) square += component * component;
@@ -90,10 +95,10 @@ std::string explain_numbers(const Simulation& simulation) {
       "Numbers that follow from them:\n";
   for (const BodyNumbers& numbers : simulation.characteristic_numbers().bodies) text += body(numbers, write);
   for (const SurfaceNumbers& numbers : simulation.characteristic_numbers().surfaces) text += surface(numbers, write);
+  for (const SurfaceNumbers& numbers : simulation.characteristic_numbers().pairs) text += pair(numbers, write);
   for (const SceneInteraction& interaction : simulation.interactions())
-    if (interaction.is_pair())
-      text += fmt::format("  {}: two surfaces, for which Ixos knows no cohesive zone and no Tabor number\n",
-                          interaction.node.name());
+    if (interaction.primary == interaction.side_set)
+      text += fmt::format("  {}: a surface that meets itself, which has no regime\n", interaction.node.name());
   return text + gravity(simulation, write);
 }
 

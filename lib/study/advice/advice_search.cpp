@@ -99,6 +99,7 @@ AdvicePoint AdviceSearch::twin_of(const AdvicePoint& plan) const {
 
 /// Runs coarse steps until some reach their end, on the coarsest mesh on which any do, and chooses the base.
 bool AdviceSearch::start() {
+  bool is_spent = false;
   for (; base_[mesh_direction].level < levels(mesh_direction); ++base_[mesh_direction].level) {
     std::vector<AdvicePoint> batch;
     double seconds = 0;
@@ -106,7 +107,8 @@ bool AdviceSearch::start() {
       batch.push_back(moved(time_direction, level));
       seconds += runs_.sample(batch.back()) == nullptr ? costs().seconds(batch.back()) : 0;
     }
-    if (!runs_.affords(seconds)) break;
+    is_spent = !runs_.affords(seconds);
+    if (is_spent) break;
     runs_.carry_out(batch);
     const bool lack_quantities = std::all_of(batch.begin(), batch.end(), [&](const AdvicePoint& point) {
       const AdviceSample* sample = runs_.sample(point);
@@ -128,11 +130,15 @@ bool AdviceSearch::start() {
     return true;
   }
   const AdviceSample& last = runs_.samples().back();
-  problem_ = last.good ? fmt::format(
-                             "The runs that show how the quantities change with the steps exceed what the "
-                             "budget has left, {:.2g} s of {:.2g} s.",
-                             std::max(0.0, runs_.budget() - runs_.spent()), runs_.budget())
-                       : "No run gave the quantities within the budget. The last one: " + last.reason + ".";
+  if (last.good && is_spent)
+    problem_ = fmt::format(
+        "The runs that show how the quantities change with the steps exceed what the budget has left, {:.2g} s of "
+        "{:.2g} s.",
+        std::max(0.0, runs_.budget() - runs_.spent()), runs_.budget());
+  else if (last.good)
+    problem_ = "Too few runs gave the quantities to show how they change with the steps.";
+  else
+    problem_ = "No run gave the quantities within the budget. The last one: " + last.reason + ".";
   return false;
 }
 

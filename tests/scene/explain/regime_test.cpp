@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "scene/explain/si_explanation.hpp"
+#include "scene/scene_file.hpp"
 #include "scene/simulation.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {
@@ -41,6 +43,23 @@ TEST(RegimeTest, RoundSurfacesGoByTheirTaborNumber) {
     test::expect_contains(regime_in_words(ball), words);
   }
   EXPECT_EQ(regime_in_words(SurfaceNumbers()), "");
+}
+
+// The scenes state radius and Tabor's number of a rigid plane before a body with the reduced radius and modulus.
+TEST(RegimeTest, PairsGoByTheReducedRadiusAndModulus) {
+  for (const auto& [file, tabor] : {std::pair("jkr-spheres.xml", 1.0), {"cylinders.xml", 3.0}}) {
+    const Simulation simulation(read_scene_file(std::string(IXOS_XML_DIRECTORY) + "/" + file), test::world());
+    const SurfaceNumbers& pair = simulation.characteristic_numbers().pairs.at(0);
+    EXPECT_NEAR(pair.radius, 500, 1) << file;
+    EXPECT_NEAR(pair.tabor, tabor, 0.005 * tabor) << file;
+  }
+  Teuchos::ParameterList balls = read_scene_file(std::string(IXOS_XML_DIRECTORY) + "/two-balls.xml");
+  const Simulation simulation(balls, test::world());
+  const SurfaceNumbers& pair = simulation.characteristic_numbers().pairs.at(0);
+  EXPECT_NEAR(pair.elastic_length, 2 * pair.work / simulation.characteristic_numbers().bodies.at(0).plane_modulus,
+              1e-12);
+  EXPECT_NEAR(pair.radius, 2.5, 1e-9);
+  EXPECT_GT(pair.normal[0], 0.8);
 }
 
 TEST(RegimeTest, AnElectrodeHasNone) {

@@ -1,0 +1,29 @@
+/// The shape of a surface of a mesh at rest.
+#pragma once
+#include <vector>
+
+#include "base/vec.hpp"
+#include "mesh/mesh.hpp"
+
+namespace ixos {
+
+/// Returns the places of a side's corners, along its rim; then, of a quadratic cell, those of its other nodes [L0].
+std::vector<Vec<3>> side_points(const Mesh& mesh, const Side& side);
+
+/// Returns the extent of a connected part along a direction of length 1 [L0]. `parts`: see connected_parts().
+double extent_along(const Mesh& mesh, const std::vector<int>& parts, int part, const Vec<3>& direction);
+
+/// Returns the curvature 1/R [1/L0] of a surface at a place whose outward normal is -`normal`, as its nodes around have
+/// it; 0 if it is flat there, hollow, an edge, or too coarse. Hanging nodes and those of enrichment are on straight
+/// sides.
+double curvature_of(const Mesh& mesh, const SideSet& set, const Vec<3>& apex, const Vec<3>& normal);
+
+/// Returns the shorter side of the box around the sides of a set, without the axis that is nearest to the normal; of a
+/// body of revolution its outer radius, where the surface lies across the axis [L0].
+double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal);
+
+/// Returns the outward normal of a surface at a node, of length 1: the mean of the sides of the set that have it,
+/// weighted by their size.
+Vec<3> normal_at(const Mesh& mesh, const SideSet& set, int node);
+
+}  // namespace ixos
