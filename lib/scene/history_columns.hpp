@@ -7,9 +7,9 @@
 
 namespace ixos {
 
-/// The energy that jumps of a quasi-static body to other equilibria have released so far: a column of a run one of whose
-/// stages has no inertia, with a value in all its rows. It belongs to the run, not to a state: history_columns() does
-/// not have it.
+/// The energy that jumps of a quasi-static body to other equilibria have released so far: a column of a run one of
+/// whose stages has no inertia, with a value in all its rows. It belongs to the run, not to a state: history_columns()
+/// does not have it.
 inline constexpr const char* released_column = "released_energy";
 
 struct HistoryColumns {

@@ -66,6 +66,8 @@ elsewhere = {
     "model/state_report.hpp": ("model/model_test.cpp", "energies, momenta and fields of states"),
     "model/term_sums.hpp": ("model/model_test.cpp", "forces and tangents of all terms together"),
     "model/traits.hpp": ("time/compatibility_test.cpp", "what a scheme asks a model"),
+    "scene/examine/pair_numbers.hpp": ("scene/explain/regime_test.cpp", "radii and moduli of pairs"),
+    "scene/examine/surface_shape.hpp": ("scene/examine/characteristic_numbers_test.cpp", "radii and extents of surfaces"),
     "model/branch_reports.hpp": ("run/relaxation_watch_test.cpp", "stresses of branches"),
     "term/force_term.hpp": ("model/model_test.cpp", "an interface; forces, tangents and actions of all terms"),
     "term/rate_term.hpp": ("term/body/viscous_term_test.cpp", "an interface; viscosity behind it"),
