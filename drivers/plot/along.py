@@ -44,9 +44,10 @@ def way_along(fields, nodes, set_name):
     return axis, nodes[order]
 
 
-def values_along(fields, nodes, frames, asked):
-    """By component, the values of each frame; of the fields that nobody asked for, those that differ from zero."""
-    names = asked or [name for name in fields.nodal_names() if SURFACE.fullmatch(name)]
+def surface_fields(folder):
+    """The fields of a surface that a folder has; a note on those that it lacks."""
+    fields = Fields(folder)
+    names = [name for name in fields.nodal_names() if SURFACE.fullmatch(name)]
     if not names:
         raise ResultsError(f"{fields.path} has no field of a surface; Output/Fields of the scene chooses them, such as "
                            f"gap or contact_pressure. Fields of nodes: {', '.join(fields.nodal_names())}")
@@ -54,6 +55,11 @@ def values_along(fields, nodes, frames, asked):
         print("note: these fields have no gap, pressure or slip; the scene's Output/Fields lists them, as in --set "
               "'Output/Fields={default, gap, contact_pressure}', and slip_NAME of an interaction with friction",
               file=sys.stderr)
+    return names
+
+
+def values_along(fields, nodes, frames, names, asked):
+    """By component, the values of each frame; of the fields that nobody asked for, those that differ from zero."""
     values = {}
     for name in names:
         for frame in frames:
@@ -63,11 +69,13 @@ def values_along(fields, nodes, frames, asked):
     return worth or values
 
 
-def draw(folder, set_name, names, frames, output, formats):
-    """Draws and saves the figure. names: of fields, or None; frames: their numbers among those that have the fields."""
-    fields = Fields(folder, *(names or ()))
+def draw(folder, set_name, asked, times, output, formats):
+    """Draws and saves the figure. asked: names of fields, or None; times: of frames, or None, see frames_at()."""
+    names = asked or surface_fields(folder)
+    fields = Fields(folder, *(asked or names[:1]))
+    frames = frames_at(folder, fields, times)
     axis, nodes = way_along(fields, fields.nodes_of(set_name), set_name)
-    values = values_along(fields, nodes, frames, names)
+    values = values_along(fields, nodes, frames, names, asked)
     places = [(fields.coordinates + fields.displacement(frame))[nodes, axis] for frame in frames]
     figure, grid = plt.subplots(len(values), 1, sharex=True, squeeze=False, layout="constrained",
                                 figsize=(5.2, 1.7 * len(values) + 0.9))
@@ -87,11 +95,10 @@ def draw(folder, set_name, names, frames, output, formats):
     style.save(figure, output or fields.path.parent / f"along-{set_name}", formats)
 
 
-def frames_at(folder, times, names, count=4):
-    """Frames with fields at given times, or some of a run with the one of the largest force."""
+def frames_at(folder, fields, times, count=4):
+    """Frames at given times, or some of a run with the one of the largest force."""
     import fields as configurations
     import overview
-    fields = Fields(folder, *(names or ()))
     if times is not None:
         return configurations.chosen_frames(fields, times, None)
     return overview.frames_that_matter(Run(folder), fields, count)
@@ -107,8 +114,7 @@ def main():
     parser.add_figure()
     parser.add_si()
     arguments = parser.parse_args()
-    frames = frames_at(arguments.folder, arguments.times, arguments.field)
-    draw(arguments.folder, arguments.set, arguments.field, frames, arguments.output, arguments.format)
+    draw(arguments.folder, arguments.set, arguments.field, arguments.times, arguments.output, arguments.format)
 
 
 if __name__ == "__main__":

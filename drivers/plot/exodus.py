@@ -23,10 +23,11 @@ class Fields:
         self._frames = np.arange(len(self._file.times))  # by number here: that in the file
         if not len(self._frames):
             raise ResultsError(f"{self.path} has no frames")
-        for name in ("displacement", *needed):
+        needed = [name for name in ("displacement",) if name in self._file] + list(needed)
+        for name in needed:
             self._frames = np.intersect1d(self._frames, self._file.frames_with(name))
         if not len(self._frames):
-            raise ResultsError(f"{self.path}: no stage has all of displacement, {', '.join(needed)}")
+            raise ResultsError(f"{self.path}: no stage has all of {', '.join(needed)}")
         self._scales = units.scales(folder)
         self._body_dimension = 3 if is_axisymmetric(folder) else self.dimension
         self.times = self._file.times[self._frames] * self._factor("time")

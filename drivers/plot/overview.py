@@ -191,8 +191,8 @@ def main():
     arguments = parser.parse_args()
     if arguments.along:
         import along
-        frames = along.frames_at(arguments.folder, arguments.times, arguments.field)
-        return along.draw(arguments.folder, arguments.along, arguments.field, frames, arguments.output, arguments.format)
+        return along.draw(arguments.folder, arguments.along, arguments.field, arguments.times, arguments.output,
+                          arguments.format)
     if arguments.times or arguments.field:
         parser.error("--times and --field belong to --along SET; fields.py draws other configurations")
 

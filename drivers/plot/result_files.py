@@ -171,6 +171,8 @@ class Fields:
             try:
                 later = _Series(path) if _parts_of(path) else None
             except FileError:  # the run still writes it, or was killed then
+                if (self.path.parent / "summary.json").is_file():
+                    raise
                 break
             if later is None or not later.has_mesh_of(first):  # an exchanged simulation may have another mesh
                 break
@@ -196,7 +198,7 @@ class Fields:
     def __getitem__(self, name: str) -> np.ndarray:
         return np.concatenate([self._values(series, name, slice(0, len(series.times))) for series in self._series])
 
-    def at(self, name: str, frame: int) -> np.ndarray:
+    def at(self, name: str, frame: int | slice) -> np.ndarray:
         """Returns a field at a frame: a value, or a row of components, for each node or cell."""
         if isinstance(frame, slice):
             return self[name][frame]

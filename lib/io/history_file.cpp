@@ -24,14 +24,15 @@ std::string shortened(const std::string& path, std::uint64_t bytes) {
 
 }  // namespace
 
-std::vector<std::string> columns_of(const std::string& header) {
-  std::vector<std::string> names(1);
-  for (const char letter : header)
-    if (letter == ',')
-      names.emplace_back();
-    else
-      names.back() += letter;
-  return names;
+std::vector<std::string> csv_cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::size_t start = 0;
+  for (auto comma = line.find(','); comma != std::string::npos; comma = line.find(',', start)) {
+    result.push_back(line.substr(start, comma - start));
+    start = comma + 1;
+  }
+  result.push_back(line.substr(start));
+  return result;
 }
 
 bool are_alike(std::vector<std::string> columns, std::vector<std::string> others, const std::string& optional) {
@@ -58,8 +59,8 @@ std::string HistoryFile::verify(const std::string& path, const std::vector<std::
   std::string line;
   if (!file.is_open() || !std::getline(file, line) || file.eof())  // a line that does not end is none
     throw InputError(path + ": cannot resume: the table is missing. Choose another --output to start a new one");
-  const std::string header = line;
-  if (!are_alike(columns_of(header), columns, optional))
+  std::string header = line;
+  if (!are_alike(csv_cells(header), columns, optional))
     throw InputError(path +
                      ": cannot resume: the table has other columns than this run writes. Choose another --output");
   TableLength found{0, line.size() + 1};

@@ -47,8 +47,8 @@ class HistoryFile {
   TableLength length_;
 };
 
-/// Returns the columns of a header.
-std::vector<std::string> columns_of(const std::string& header);
+/// Returns the cells of a line of a table whose cells have no quotes and no commas.
+std::vector<std::string> csv_cells(const std::string& line);
 
 /// Returns whether columns are the same, but for one that either may have or lack.
 bool are_alike(std::vector<std::string> columns, std::vector<std::string> others, const std::string& optional);

@@ -49,7 +49,7 @@ void History::verify(const std::string& path) {
   const Comm& comm = simulation_.model().space().comm();
   std::string header;
   on_first_rank(comm, [&] { header = HistoryFile::verify(path, columns_, released_column, length_); });
-  take_columns(columns_of(from_first_rank(comm, header)));
+  take_columns(csv_cells(from_first_rank(comm, header)));
 }
 
 void History::resume(const std::string& path) {
@@ -61,13 +61,15 @@ void History::resume(const std::string& path) {
 
 void History::go_on_from(History& before) {
   if (!are_alike(columns_, before.columns_, released_column)) {
-    const auto [own, other] =
-        std::mismatch(columns_.begin(), columns_.end(), before.columns_.begin(), before.columns_.end());
-    const auto name = [](const std::vector<std::string>& all, auto at) { return at == all.end() ? "none" : *at; };
-    throw InputError(
-        fmt::format("history.csv cannot go on with the columns of another simulation: column {} is {}, "
-                    "it was {}",
-                    own - columns_.begin() + 1, name(columns_, own), name(before.columns_, other)));
+    const auto has = [](const std::vector<std::string>& all, const std::string& name) {
+      return name == released_column || std::find(all.begin(), all.end(), name) != all.end();
+    };
+    std::string words = "their order is another one";
+    for (const std::string& name : columns_)
+      if (!has(before.columns_, name)) words = "it has no " + name;
+    for (const std::string& name : before.columns_)
+      if (!has(columns_, name)) words = "it has " + name;
+    throw InputError("history.csv cannot go on with the columns of another simulation: " + words);
   }
   take_columns(before.columns_);
   file_ = std::move(before.file_);

@@ -52,10 +52,10 @@ struct RunOptions {
   /// simulation with which the run continues, of another mesh or scheme or with other conditions; null to keep the
   /// present one. The other one must stand at the time of the present one: Integrator::resume() and moved() bring its
   /// state there. It runs to its own final time, by its own step control and stop criteria. Its rows follow in
-  /// history.csv, so its columns must be the same. Its frames begin a new file: fields-2.e and so on. effective.xml
-  /// stays, that of the next simulation is effective-2.xml. The run throws InputError if times or columns differ; if
-  /// the function throws, or returns null on some ranks only, it throws on all ranks. A run that repeats this one in
-  /// the same folder needs `overwrite`. May be empty.
+  /// history.csv, so its columns must be the same, but for released_energy, which the file keeps or lacks. Its frames
+  /// begin a new file: fields-2.e and so on. effective.xml stays, that of the next simulation is effective-2.xml. The
+  /// run throws InputError if times or columns differ; if the function throws, or returns null on some ranks only, it
+  /// throws on all ranks. A run that repeats this one in the same folder needs `overwrite`. May be empty.
   std::function<std::shared_ptr<Simulation>(Simulation& present)> exchange;
   /// Called on every rank with the simulation of the next stage of the scene, which has its state, before its steps; at
   /// a restart in a later stage with that of the checkpoint. The run and the caller share it. May be empty.

@@ -118,7 +118,7 @@ double column(const LiveSimulation& simulation, const std::string& name) {
   if (all.contains(name.c_str())) return all[name.c_str()].cast<double>();
   std::vector<std::string> names;
   for (const auto& item : all) names.push_back(item.first.cast<std::string>());
-  throw InputError(no_such("column", name, names, "The columns of history.csv are"));
+  throw InputError(no_such("column", name, names, "The columns of a state are"));
 }
 
 /// Returns nodal values of the model at the present displacement, a row a node if there are several a node.

@@ -211,7 +211,10 @@ class FieldsTest(ScriptTest):
             np.testing.assert_array_equal(fields.at("displacement", frame), fields["displacement"][frame])
         head = fields.nodes("top")
         np.testing.assert_allclose(fields.at("displacement", -1)[head, 1], 6 - 0.3 * pressed, rtol=1e-6)
-        (folder / "fields-2.e").write_bytes(b"CDF")  # killed while it wrote
+        (folder / "fields-2.e").write_bytes(b"CDF")
+        with self.assertRaisesRegex(result_files.FileError, "fields-2.e is not an Exodus file"):
+            result_files.Fields(folder)
+        (folder / "summary.json").unlink()  # killed while it wrote
         self.assertEqual(len(result_files.Fields(folder).times), len(late) - last)
 
     @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")

@@ -228,18 +228,18 @@ bool CellTree::balance(bool in_all_directions) {
   return changed;
 }
 
-double CellTree::forecast(const std::vector<RegionSearch>& regions, std::size_t sample) {
-  met_.assign(regions.size(), 0);
+double CellTree::forecast(const std::vector<RegionSearch>& region, std::size_t sample) {
+  met_.assign(region.size(), 0);
   std::vector<int> open = leaves();
   double all = static_cast<double>(open.size()), weight = 1;  // cells for which one of the sample stands
   while (!open.empty()) {
     std::vector<int> wanted, next;
     for (const int cell : open)
-      if (!wanted_axes(cells_[at(cell)], regions).empty()) wanted.push_back(cell);
+      if (!wanted_axes(cells_[at(cell)], region).empty()) wanted.push_back(cell);
     const std::size_t stride = wanted.size() / sample + 1, kept = (wanted.size() + stride - 1) / stride;
     if (kept > 0) weight *= static_cast<double>(wanted.size()) / static_cast<double>(kept);
     for (std::size_t k = 0; k < wanted.size(); k += stride) {
-      const std::vector<int> axes = wanted_axes(cells_[at(wanted[k])], regions);
+      const std::vector<int> axes = wanted_axes(cells_[at(wanted[k])], region);
       const auto first = static_cast<int>(cells_.size());
       halve(wanted[k], axes);
       all += weight * ((1 << axes.size()) - 1);

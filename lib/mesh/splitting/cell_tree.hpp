@@ -41,10 +41,10 @@ class CellTree {
   /// `most`, or a region meets no cell; `name` returns a region in words.
   void split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most);
 
-  /// Returns about how many leaves split() makes, without those between regions. Splits level by level, of each level
-  /// at most `sample` cells, which stand for the others: regions of different levels need a tree each, lest a sample of
-  /// one misses another. The tree is of no use then.
-  double forecast(const std::vector<RegionSearch>& regions, std::size_t sample);
+  /// Returns about how many leaves split() makes for this region, which is the only one of the vector, without those
+  /// around it. Splits level by level, of each level at most `sample` cells, which stand for the others: a sample of
+  /// one region would miss another one. The tree is of no use then.
+  double forecast(const std::vector<RegionSearch>& region, std::size_t sample);
 
   /// Calls visit(leaf) for the leaves of a cell of the mesh, in order.
   template <class Visit>

@@ -14,7 +14,6 @@
 #include "mesh/cell_sides.hpp"
 #include "mesh/node_place.hpp"
 #include "mesh/selection.hpp"
-#include "mesh/side_set_nodes.hpp"
 #include "scene/examine/pair_numbers.hpp"
 #include "scene/examine/surface_shape.hpp"
 #include "scene/read/mesh_parts.hpp"
@@ -174,7 +173,7 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     add_law(interaction, numbers);
     if (interaction.is_pair()) {
       const auto other = surface_of(interaction.primary);
-      if (!other || interaction.primary == interaction.side_set) continue;
+      if (!other || interaction.is_with_itself()) continue;
       add_pair(mesh, parts, *surface, *other, numbers);
       all.pairs.push_back(std::move(numbers));
       continue;

@@ -12,39 +12,41 @@ namespace ixos {
 
 void add_pair(const Mesh& mesh, const std::vector<int>& parts, const PairSurface& own, const PairSurface& other,
               SurfaceNumbers& numbers) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const FacingNodes facing = facing_nodes(mesh, own.set.name, other.set.name, infinity);
+  if (own.part == other.part) return;
+  const FacingNodes facing = facing_nodes(mesh, own.set.name, other.set.name, std::numeric_limits<double>::infinity());
   const auto way = [&](const std::pair<int, int>& pair) {
     return node_place(mesh, pair.first) - node_place(mesh, pair.second);
   };
   const auto nearest = std::min_element(facing.pairs.begin(), facing.pairs.end(),
                                         [&](const auto& a, const auto& b) { return length(way(a)) < length(way(b)); });
   if (nearest == facing.pairs.end()) return;
-  const Vec<3> sum = normal_at(mesh, other.set, nearest->second) - normal_at(mesh, own.set, nearest->first);
-  if (length(sum) < 1) return;  // of 2 if they face each other
-  const Vec<3> normal = 1 / length(sum) * sum;
-  numbers.normal = normal;
+  const Vec<3> in = normal_at(mesh, own.set, nearest->first), out = normal_at(mesh, other.set, nearest->second);
+  const Vec<3> sum = out - in;
+  if (!(length(sum) >= 1.8)) return;  // 2 if they face each other
+  numbers.normal = 1 / length(sum) * sum;
   numbers.face_length = std::max(mean_face_length(mesh, own.set), mean_face_length(mesh, other.set));
-  numbers.least_gap = infinity;
-  numbers.largest_gap = -infinity;
-  for (const std::pair<int, int>& pair : facing.pairs) {
-    const double gap = inner(way(pair), normal);
-    const Vec<3> aside = way(pair) - gap * normal;
-    if (length(aside) > numbers.face_length) continue;  // one surface is wider than the other
-    numbers.least_gap = std::min(numbers.least_gap, gap);
-    numbers.largest_gap = std::max(numbers.largest_gap, gap);
-  }
-  numbers.extent = std::min(extent_of(mesh, own.set, normal), extent_of(mesh, other.set, normal));
-  numbers.thickness =
-      std::min(extent_along(mesh, parts, own.part, normal), extent_along(mesh, parts, other.part, normal));
-  const double modulus = 1 / (1 / own.body.plane_modulus + 1 / other.body.plane_modulus);
-  numbers.elastic_length = numbers.work / modulus;
-  numbers.cohesive_zone = cohesive_zone(modulus, numbers.work, numbers.peak_traction, numbers.thickness);
-  const auto curvature = [&](const PairSurface& surface, int node, const Vec<3>& inwards) {
-    return surface.curvature > 0 ? surface.curvature : curvature_of(mesh, surface.set, node_place(mesh, node), inwards);
+  numbers.least_gap = inner(way(*nearest), numbers.normal);
+  numbers.largest_gap =
+      numbers.least_gap + height_of(mesh, own.set, numbers.normal) + height_of(mesh, other.set, numbers.normal);
+  numbers.extent = std::min(extent_of(mesh, own.set, numbers.normal), extent_of(mesh, other.set, numbers.normal));
+  const auto softness = [&](const PairSurface& surface) {
+    const double thickness = extent_along(mesh, parts, surface.part, numbers.normal);
+    return 1 / (surface.body.plane_modulus * thickness * thickness * thickness);
   };
-  const double both = curvature(own, nearest->first, normal) + curvature(other, nearest->second, -1.0 * normal);
-  if (both > 0) add_tabor(1 / both, modulus, numbers);
+  const double modulus = 1 / (1 / own.body.plane_modulus + 1 / other.body.plane_modulus);
+  numbers.thickness = 1 / std::cbrt(modulus * (softness(own) + softness(other)));
+  numbers.elastic_length = numbers.work * (1 / own.body.modulus + 1 / other.body.modulus);
+  numbers.cohesive_zone = cohesive_zone(modulus, numbers.work, numbers.peak_traction, numbers.thickness);
+  // Each about its own normal, since the nearest nodes are a little beside the nearest places where nodes do not match.
+  // On a rim, as that of half a body, the mean of the sides leans: there both surfaces have one normal.
+  const bool rim = is_on_rim(mesh, own.set, nearest->first) || is_on_rim(mesh, other.set, nearest->second);
+  const auto curvature = [&](const PairSurface& surface, int node, const Vec<3>& inwards) {
+    if (surface.curvature > 0) return surface.curvature;
+    return curvature_of(mesh, surface.set, node_place(mesh, node), inwards);
+  };
+  const double mine = curvature(own, nearest->first, rim ? numbers.normal : -1.0 * in),
+               others = curvature(other, nearest->second, -1.0 * (rim ? numbers.normal : out));
+  if (mine > 0 && others > 0) add_tabor(1 / (mine + others), modulus, numbers);
 }
 
 }  // namespace ixos

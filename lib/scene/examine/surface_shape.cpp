@@ -15,6 +15,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+bool has_node(const Mesh& mesh, const Side& side, int node) {
+  const std::vector<int> nodes = nodes_of_side(mesh, side);
+  return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+}
+
 }  // namespace
 
 std::vector<Vec<3>> side_points(const Mesh& mesh, const Side& side) {
@@ -75,13 +80,27 @@ double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal) {
   return extent;
 }
 
+double height_of(const Mesh& mesh, const SideSet& set, const Vec<3>& direction) {
+  double lowest = infinity, highest = -infinity;
+  for (const Side& side : set.sides)
+    for (const Vec<3>& point : side_points(mesh, side)) {
+      lowest = std::min(lowest, inner(point, direction));
+      highest = std::max(highest, inner(point, direction));
+    }
+  return highest - lowest;
+}
+
 Vec<3> normal_at(const Mesh& mesh, const SideSet& set, int node) {
   Vec<3> sum{};
-  for (const Side& side : set.sides) {
-    const std::vector<int> nodes = nodes_of_side(mesh, side);
-    if (std::find(nodes.begin(), nodes.end(), node) != nodes.end()) sum = sum + outward_normal(mesh, side);
-  }
+  for (const Side& side : set.sides)
+    if (has_node(mesh, side, node)) sum = sum + outward_normal(mesh, side);
   return 1 / length(sum) * sum;
+}
+
+bool is_on_rim(const Mesh& mesh, const SideSet& set, int node) {
+  const auto sides =
+      std::count_if(set.sides.begin(), set.sides.end(), [&](const Side& side) { return has_node(mesh, side, node); });
+  return sides < mesh.dimension;
 }
 
 }  // namespace ixos

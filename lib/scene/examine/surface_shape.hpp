@@ -22,8 +22,14 @@ double curvature_of(const Mesh& mesh, const SideSet& set, const Vec<3>& apex, co
 /// body of revolution its outer radius, where the surface lies across the axis [L0].
 double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal);
 
+/// Returns how far a surface extends along a direction of length 1 [L0]: 0 of one that is flat across it.
+double height_of(const Mesh& mesh, const SideSet& set, const Vec<3>& direction);
+
 /// Returns the outward normal of a surface at a node, of length 1: the mean of the sides of the set that have it,
-/// weighted by their size.
+/// weighted by their size; not a number where they cancel.
 Vec<3> normal_at(const Mesh& mesh, const SideSet& set, int node);
+
+/// Returns whether a node of the set is on its rim: it has one side, in space at most two.
+bool is_on_rim(const Mesh& mesh, const SideSet& set, int node);
 
 }  // namespace ixos

@@ -57,7 +57,8 @@ std::string surface(const SurfaceNumbers& numbers, const Writer& write) {
 
 std::string pair(const SurfaceNumbers& numbers, const Writer& write) {
   if (numbers.extent > 0) return surface(numbers, write);
-  return fmt::format("  {}: two surfaces that do not face each other at rest, which have no regime\n", numbers.name);
+  return fmt::format("  {}: two surfaces of one part, or that do not face each other at rest: they have no regime\n",
+                     numbers.name);
 }
 
 double length(const std::vector<double>& vector) {
@@ -97,7 +98,7 @@ std::string explain_numbers(const Simulation& simulation) {
   for (const SurfaceNumbers& numbers : simulation.characteristic_numbers().surfaces) text += surface(numbers, write);
   for (const SurfaceNumbers& numbers : simulation.characteristic_numbers().pairs) text += pair(numbers, write);
   for (const SceneInteraction& interaction : simulation.interactions())
-    if (interaction.primary == interaction.side_set)
+    if (interaction.is_with_itself())
       text += fmt::format("  {}: a surface that meets itself, which has no regime\n", interaction.node.name());
   return text + gravity(simulation, write);
 }

@@ -10,20 +10,10 @@
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
+#include "io/history_file.hpp"
 #include "study/common/tuning.hpp"
 
 namespace ixos {
-
-std::vector<std::string> csv_cells(const std::string& line) {
-  std::vector<std::string> result;
-  std::size_t start = 0;
-  for (auto comma = line.find(','); comma != std::string::npos; comma = line.find(',', start)) {
-    result.push_back(line.substr(start, comma - start));
-    start = comma + 1;
-  }
-  result.push_back(line.substr(start));
-  return result;
-}
 
 HistoryTable::HistoryTable(const std::string& path) : path_(path) {
   std::ifstream file = open_text(path);

@@ -6,9 +6,6 @@
 
 namespace ixos {
 
-/// Returns the cells of a line of a table whose cells have no quotes and no commas.
-std::vector<std::string> csv_cells(const std::string& line);
-
 /// Columns by name, an empty cell as NaN.
 class HistoryTable {
  public:

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
+#include "io/history_file.hpp"
 #include "study/common/history_table.hpp"
 
 namespace ixos {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "scene/explain/si_explanation.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/simulation.hpp"
@@ -56,10 +58,43 @@ TEST(RegimeTest, PairsGoByTheReducedRadiusAndModulus) {
   Teuchos::ParameterList balls = read_scene_file(std::string(IXOS_XML_DIRECTORY) + "/two-balls.xml");
   const Simulation simulation(balls, test::world());
   const SurfaceNumbers& pair = simulation.characteristic_numbers().pairs.at(0);
-  EXPECT_NEAR(pair.elastic_length, 2 * pair.work / simulation.characteristic_numbers().bodies.at(0).plane_modulus,
-              1e-12);
+  EXPECT_NEAR(pair.elastic_length, 2 * pair.work / simulation.characteristic_numbers().bodies.at(0).modulus, 1e-12);
   EXPECT_NEAR(pair.radius, 2.5, 1e-9);
   EXPECT_GT(pair.normal[0], 0.8);
+}
+
+TEST(RegimeTest, FlatPairsGoByTheZoneOfBothBodies) {
+  using test::counts, test::list, test::number, test::numbers, test::word;
+  const auto part = [](const std::string& name, const std::vector<double>& lower, const std::vector<double>& lengths,
+                       const std::vector<int>& divisions) {
+    return list(name, word("Type", "Box") + list("Box", numbers("Lower", lower) + numbers("Lengths", lengths) +
+                                                            counts("Divisions", divisions)));
+  };
+  const auto material = [](const std::string& block, double modulus) {
+    return list(block, word("Block", block + "_body") + number("Young's Modulus", modulus) +
+                           number("Poisson's Ratio", 0) + number("Density", 1));
+  };
+  const auto scene = [&](const std::string& primary) {
+    return test::scene(
+        list("Mesh", word("Type", "Parts") + list("Parts", part("film", {0, 1.3}, {1, 0.5}, {4, 2}) +
+                                                               part("block", {-0.4, 0}, {2, 1}, {5, 2}) +
+                                                               part("post", {3, 0}, {1, 3}, {1, 3}))) +
+        list("Materials", material("film", 100) + material("block", 1) + material("post", 1)) +
+        list("Interactions", list("Pair", word("Side Set", "film_bottom") + word("Primary Side Set", primary))) +
+        test::time_integrator("Newmark", 0.1, 1));
+  };
+  const Simulation simulation(scene("block_top"), test::world());
+  const SurfaceNumbers& pair = simulation.characteristic_numbers().pairs.at(0);
+  const double modulus = 1 / (1 / 100.0 + 1), softness = 1 / (100 * 0.125) + 1;
+  EXPECT_NEAR(pair.thickness, 1 / std::cbrt(modulus * softness), 1e-12);
+  EXPECT_NEAR(pair.elastic_length, pair.work * 1.01, 1e-15);
+  EXPECT_NEAR(pair.extent, 1, 1e-12);
+  EXPECT_NEAR(pair.largest_gap - pair.least_gap, 0, 1e-12);
+  EXPECT_NEAR(pair.cohesive_zone, cohesive_zone(modulus, pair.work, pair.peak_traction, pair.thickness), 1e-15);
+  EXPECT_EQ(pair.radius, 0);
+  test::expect_contains(regime_in_words(pair), "the cohesive zone is");
+  const Simulation away(scene("post_left"), test::world());
+  test::expect_contains(explain_numbers(away), "Pair: two surfaces of one part, or that do not face each other");
 }
 
 TEST(RegimeTest, AnElectrodeHasNone) {
