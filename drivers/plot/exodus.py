@@ -23,7 +23,8 @@ class Fields:
         self._frames = np.arange(len(self._file.times))  # by number here: that in the file
         if not len(self._frames):
             raise ResultsError(f"{self.path} has no frames")
-        needed = [name for name in ("displacement",) if name in self._file] + list(needed)
+        if "displacement" in self._file:
+            needed = "displacement", *needed
         for name in needed:
             self._frames = np.intersect1d(self._frames, self._file.frames_with(name))
         if not len(self._frames):
@@ -59,7 +60,7 @@ class Fields:
         """A field of nodes in the units of the axes: arrays by the names of its components, or of the field."""
         if not self._file.is_nodal(name):
             raise ResultsError(f"{self.path}: '{name}' is a field of cells; fields of nodes: {', '.join(self.nodal_names())}")
-        values = self._file.at(name, self._frames[frame]) * self._factor(units.field_quantity(name))
+        values = self.nodal(name, frame) * self._factor(units.field_quantity(name))
         if values.ndim == 1:
             return {name: values}
         return {name + axis: column for axis, column in zip("XYZ", values.T)}

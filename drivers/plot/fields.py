@@ -97,7 +97,8 @@ def main():
     which.add_argument("--times", type=options.numbers, metavar="T1,T2,...", help="times of the panels")
     which.add_argument("--frames", type=options.count, default=6, metavar="N",
                        help="number of evenly spaced panels (default: 6)")
-    parser.add_argument("--field", default="first_stress_invariant", help="field of cells or of nodes, or a component of one (default: %(default)s); a cell has the "
+    parser.add_argument("--field", default="first_stress_invariant",
+                        help="field of cells or of nodes, or a component of one (default: %(default)s); a cell has the "
                         "mean of its nodes")
     parser.add_argument("--range", type=options.interval, metavar="LO,HI",
                         help="limits of the colour bar (default: those of the values drawn; symmetric for stress)")

@@ -144,7 +144,8 @@ class Parser(argparse.ArgumentParser):
         group.add_argument("--eps", action="store_true", help="write NAME.eps; fonts are embedded")
         group.add_argument("--dpi", type=count, help=f"pixels an inch of PNG (default: {style.DPI})")
         group.add_argument("--width", type=width, metavar="WIDTH", help="width of the figure, such as 86mm or 3.4in")
-        group.add_argument("--data", action="store_true", help=f"write NAME{style.DATA}, too, with the points of all lines and the cells")
+        group.add_argument("--data", action="store_true",
+                           help=f"write NAME{style.DATA}, too, with the points of all lines and the cells")
 
     def parse_args(self, *arguments, **keywords):
         """Parses as argparse does. --si takes effect with the units of the first results folder."""

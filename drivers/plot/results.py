@@ -59,11 +59,12 @@ class Run:
     def energy_error(self):
         """|E - E0 - external work + dissipated energy + energy released by jumps to other equilibria|, row by row; of the
         last three what came after the first row, where a restart in another folder has a past."""
-        needed = "external_work", "dissipated_energy"
-        work, lost, released = (np.nan_to_num(self[name] - np.nan_to_num(self._first[name])) if name in needed or
-                                name in self.columns else 0.0
-                                for name in (*needed, "released_energy"))
-        return np.abs(self["total_energy"] - self.initial_energy - work + lost + released)
+        def since_first(name):
+            return np.nan_to_num(self[name] - np.nan_to_num(self._first[name]))
+
+        released = since_first("released_energy") if "released_energy" in self.columns else 0.0
+        return np.abs(self["total_energy"] - self.initial_energy - since_first("external_work") +
+                      since_first("dissipated_energy") + released)
 
     def reactions(self):
         """(name, times, values) of each reaction column, at the times that the values belong to."""

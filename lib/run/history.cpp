@@ -104,11 +104,7 @@ void History::keep_forces(const std::vector<double>& forces) {
 
 void History::pass() { keep_forces(row_.forces()); }
 
-void History::record_first(const RowCounts& counts) { record(counts, false); }
-
-void History::record(const RowCounts& counts) { record(counts, is_static(simulation_.integrator().table())); }
-
-void History::record(const RowCounts& counts, bool may_jump) {
+void History::record(const RowCounts& counts, bool is_first) {
   const TimedScope timed(Phase::Output);
   RowValues values = row_.values(counts);
   if (simulation_.output().energies) {
@@ -118,6 +114,7 @@ void History::record(const RowCounts& counts, bool may_jump) {
     largest_energy_ = std::max({largest_energy_, values.kinetic, std::abs(values.elastic), std::abs(values.contact)});
   }
   const double time = simulation_.integrator().time();
+  const bool may_jump = !is_first && is_static(simulation_.integrator().table());
   jump_ = may_jump ? jumps_.row(time, balance_, simulation_.integrator().external_work(), largest_energy_) : Jump();
   if (simulation_.output().energies) {
     const double error = std::abs(balance_ - initial_energy_ + jumps().released);

@@ -29,14 +29,13 @@ class History {
   /// Continues the verified file; drops later rows.
   void resume(const std::string& path);
 
-  /// Records the state with which a file begins. No jump leads to it: of a quasi-static run it need not be an
-  /// equilibrium, since constant loads and motions act at once.
-  void record_first(const RowCounts& counts);
-  void record(const RowCounts& counts);
+  /// Records the present state. `is_first`: a file begins with it, and no jump leads to it; of a quasi-static run it
+  /// need not be an equilibrium, since constant loads and motions act at once.
+  void record(const RowCounts& counts, bool is_first = false);
   /// Skips the row of a step: its reactions still count for max_forces().
   void pass();
   /// Returns the largest |E_n - E_0 - external work + dissipation + released energy| of the rows [E0 L0^D]; NaN without
-  /// energies. What jumps to other equilibria release is no error of the scheme.
+  /// energies. A scheme makes no error where a body jumps to another equilibrium: the energy that it releases is added.
   double max_energy_error() const { return max_energy_error_; }
   /// Returns the largest kinetic, elastic or interaction energy of the recorded rows [E0 L0^D], the scale of that
   /// error.
@@ -69,7 +68,6 @@ class History {
   void transfer_jumps(Record& record);
 
  private:
-  void record(const RowCounts& counts, bool may_jump);
   void take_columns(const std::vector<std::string>& columns);
   void keep_forces(const std::vector<double>& forces);
   double& largest_force(const std::string& column);

@@ -116,10 +116,7 @@ void RunFiles::count(const StepResult& attempt, double wall_seconds) {
 }
 
 void RunFiles::row(bool is_first) {
-  if (is_first)
-    history_.record_first(counts_);
-  else
-    history_.record(counts_);
+  history_.record(counts_, is_first);
   counts_.newton_iterations = counts_.linear_iterations = 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "base/error.hpp"
 #include "fem/cell_info.hpp"
@@ -146,23 +147,27 @@ void CellTree::halve(int cell, const std::vector<int>& axes) {
   }
 }
 
-/// Returns the axes along which a leaf has too few halvings, of those the ones with the fewest.
-std::vector<int> CellTree::wanted_axes(const TreeCell& cell, const std::vector<RegionSearch>& regions) {
+CornerBox CellTree::box_of(const TreeCell& cell) const {
+  return box_around(mesh_, {cell.corners.begin(), cell.corners.begin() + (1 << mesh_.dimension)});
+}
+
+/// Returns the halvings that a region asks of a cell that meets it, along each axis.
+std::array<int, 3> CellTree::asked_halvings(const TreeCell& cell, const RegionSearch& region) const {
   const auto d = at(mesh_.dimension);
-  const CornerBox box = box_around(mesh_, {cell.corners.begin(), cell.corners.begin() + (1 << mesh_.dimension)});
-  std::array<int, 3> wanted{};
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    if (!regions[r].meets(box)) continue;
-    met_[r] = 1;
-    for (int axis = 0; axis < mesh_.dimension; ++axis) {
-      std::array<double, 3> direction{};
-      for (const auto& [left, right] : edges_[at(axis)])
-        for (std::size_t i = 0; i < d; ++i)
-          direction[i] += mesh_.coordinates[at(cell.corners[at(right)]) * d + i] -
-                          mesh_.coordinates[at(cell.corners[at(left)]) * d + i];
-      if (regions[r].splits_along(direction)) wanted[at(axis)] = std::max(wanted[at(axis)], regions[r].levels());
-    }
+  std::array<int, 3> asked{};
+  for (int axis = 0; axis < mesh_.dimension; ++axis) {
+    std::array<double, 3> direction{};
+    for (const auto& [left, right] : edges_[at(axis)])
+      for (std::size_t i = 0; i < d; ++i)
+        direction[i] += mesh_.coordinates[at(cell.corners[at(right)]) * d + i] -
+                        mesh_.coordinates[at(cell.corners[at(left)]) * d + i];
+    if (region.splits_along(direction)) asked[at(axis)] = region.levels();
   }
+  return asked;
+}
+
+/// Returns the axes along which a cell has too few halvings, of those the ones with the fewest.
+std::vector<int> CellTree::axes_to_halve(const TreeCell& cell, const std::array<int, 3>& wanted) const {
   std::vector<int> axes;
   int fewest = 1 << 20;
   for (int axis = 0; axis < mesh_.dimension; ++axis)
@@ -170,6 +175,19 @@ std::vector<int> CellTree::wanted_axes(const TreeCell& cell, const std::vector<R
   for (int axis = 0; axis < mesh_.dimension; ++axis)
     if (cell.halvings[at(axis)] < wanted[at(axis)] && cell.halvings[at(axis)] == fewest) axes.push_back(axis);
   return axes;
+}
+
+/// Returns the axes along which a leaf is to be halved for the regions that it meets, and notes these.
+std::vector<int> CellTree::wanted_axes(const TreeCell& cell, const std::vector<RegionSearch>& regions) {
+  const CornerBox box = box_of(cell);
+  std::array<int, 3> wanted{};
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (!regions[r].meets(box)) continue;
+    met_[r] = 1;
+    const std::array<int, 3> asked = asked_halvings(cell, regions[r]);
+    for (std::size_t axis = 0; axis < 3; ++axis) wanted[axis] = std::max(wanted[axis], asked[axis]);
+  }
+  return axes_to_halve(cell, wanted);
 }
 
 bool CellTree::has_two_on_an_edge(const TreeCell& cell, int axis) {
@@ -228,25 +246,28 @@ bool CellTree::balance(bool in_all_directions) {
   return changed;
 }
 
-double CellTree::forecast(const std::vector<RegionSearch>& region, std::size_t sample) {
-  met_.assign(region.size(), 0);
+double CellTree::forecast(const RegionSearch& region, std::size_t sample) {
   std::vector<int> open = leaves();
   double all = static_cast<double>(open.size()), weight = 1;  // cells for which one of the sample stands
   while (!open.empty()) {
-    std::vector<int> wanted, next;
-    for (const int cell : open)
-      if (!wanted_axes(cells_[at(cell)], region).empty()) wanted.push_back(cell);
+    std::vector<std::pair<int, std::vector<int>>> wanted;  // cells and axes
+    for (const int leaf : open) {
+      const TreeCell& cell = cells_[at(leaf)];
+      if (!region.meets(box_of(cell))) continue;
+      std::vector<int> axes = axes_to_halve(cell, asked_halvings(cell, region));
+      if (!axes.empty()) wanted.emplace_back(leaf, std::move(axes));
+    }
+    open.clear();
     const std::size_t stride = wanted.size() / sample + 1, kept = (wanted.size() + stride - 1) / stride;
     if (kept > 0) weight *= static_cast<double>(wanted.size()) / static_cast<double>(kept);
     for (std::size_t k = 0; k < wanted.size(); k += stride) {
-      const std::vector<int> axes = wanted_axes(cells_[at(wanted[k])], region);
+      const auto& [leaf, axes] = wanted[k];
       const auto first = static_cast<int>(cells_.size());
-      halve(wanted[k], axes);
+      halve(leaf, axes);
       all += weight * ((1 << axes.size()) - 1);
       for (int part = first; part < static_cast<int>(cells_.size()); ++part)
-        if (cells_[at(part)].first_child < 0) next.push_back(part);
+        if (cells_[at(part)].first_child < 0) open.push_back(part);
     }
-    open = std::move(next);
   }
   return all;
 }

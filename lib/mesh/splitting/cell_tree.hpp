@@ -41,10 +41,9 @@ class CellTree {
   /// `most`, or a region meets no cell; `name` returns a region in words.
   void split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most);
 
-  /// Returns about how many leaves split() makes for this region, which is the only one of the vector, without those
-  /// around it. Splits level by level, of each level at most `sample` cells, which stand for the others: a sample of
-  /// one region would miss another one. The tree is of no use then.
-  double forecast(const std::vector<RegionSearch>& region, std::size_t sample);
+  /// Returns about how many leaves split() makes for one region, without those around it. Splits level by level, of
+  /// each level at most `sample` cells, which stand for the others. The tree is of no use then.
+  double forecast(const RegionSearch& region, std::size_t sample);
 
   /// Calls visit(leaf) for the leaves of a cell of the mesh, in order.
   template <class Visit>
@@ -79,6 +78,9 @@ class CellTree {
   std::vector<int> leaves() const;
   void halve(int cell, const std::vector<int>& axes);
   void bisect(int cell, int axis);
+  CornerBox box_of(const TreeCell& cell) const;
+  std::array<int, 3> asked_halvings(const TreeCell& cell, const RegionSearch& region) const;
+  std::vector<int> axes_to_halve(const TreeCell& cell, const std::array<int, 3>& wanted) const;
   std::vector<int> wanted_axes(const TreeCell& cell, const std::vector<RegionSearch>& regions);
   bool balance(bool in_all_directions);
   std::set<std::array<int, 2>> crossing_edges();

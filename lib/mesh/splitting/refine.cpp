@@ -147,19 +147,17 @@ void drop_middles(Mesh& mesh) {
 }
 
 /// Throws InputError before minutes pass and the memory is full. A region alone makes no more cells than all together.
-void refuse_far_too_many(const Mesh& mesh, const NamedRegion& region) {
+void refuse_far_too_many(const Mesh& mesh, const RegionSearch& region, const std::string& name) {
   constexpr int deep = 6;
   constexpr std::size_t sample = 2000;
-  if (region.region.levels <= deep) return;
+  if (region.levels() <= deep) return;
   Mesh trial = mesh;
-  std::vector<RegionSearch> alone;
-  alone.emplace_back(mesh, region.region);
-  const double cells = CellTree(trial).forecast(alone, sample);
+  const double cells = CellTree(trial).forecast(region, sample);
   if (cells > 2 * static_cast<double>(most_refined_cells))
     throw InputError(
         fmt::format("{}: the refined mesh would have about {:.2g} cells, more than {}; use fewer levels or "
                     "a smaller region",
-                    region.name, cells, most_refined_cells));
+                    name, cells, most_refined_cells));
 }
 
 }  // namespace
@@ -183,7 +181,7 @@ void refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order) {
       throw InputError(region.name + ": " + error.what());
     }
   }
-  for (const NamedRegion& region : regions) refuse_far_too_many(mesh, region);
+  for (std::size_t r = 0; r < searches.size(); ++r) refuse_far_too_many(mesh, searches[r], names[r]);
   const int nodes_before = mesh.nodes();
   CellTree tree(mesh);
   tree.split(searches, names, most_refined_cells);

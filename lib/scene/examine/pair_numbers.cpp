@@ -20,8 +20,9 @@ void add_pair(const Mesh& mesh, const std::vector<int>& parts, const PairSurface
   const auto nearest = std::min_element(facing.pairs.begin(), facing.pairs.end(),
                                         [&](const auto& a, const auto& b) { return length(way(a)) < length(way(b)); });
   if (nearest == facing.pairs.end()) return;
-  const Vec<3> in = normal_at(mesh, own.set, nearest->first), out = normal_at(mesh, other.set, nearest->second);
-  const Vec<3> sum = out - in;
+  const SurfaceNormal mine = normal_at(mesh, own.set, nearest->first);
+  const SurfaceNormal its = normal_at(mesh, other.set, nearest->second);
+  const Vec<3> sum = its.direction - mine.direction;
   if (!(length(sum) >= 1.8)) return;  // 2 if they face each other
   numbers.normal = 1 / length(sum) * sum;
   numbers.face_length = std::max(mean_face_length(mesh, own.set), mean_face_length(mesh, other.set));
@@ -39,14 +40,14 @@ void add_pair(const Mesh& mesh, const std::vector<int>& parts, const PairSurface
   numbers.cohesive_zone = cohesive_zone(modulus, numbers.work, numbers.peak_traction, numbers.thickness);
   // Each about its own normal, since the nearest nodes are a little beside the nearest places where nodes do not match.
   // On a rim, as that of half a body, the mean of the sides leans: there both surfaces have one normal.
-  const bool rim = is_on_rim(mesh, own.set, nearest->first) || is_on_rim(mesh, other.set, nearest->second);
+  const bool is_on_rim = mine.is_on_rim || its.is_on_rim;
   const auto curvature = [&](const PairSurface& surface, int node, const Vec<3>& inwards) {
     if (surface.curvature > 0) return surface.curvature;
     return curvature_of(mesh, surface.set, node_place(mesh, node), inwards);
   };
-  const double mine = curvature(own, nearest->first, rim ? numbers.normal : -1.0 * in),
-               others = curvature(other, nearest->second, -1.0 * (rim ? numbers.normal : out));
-  if (mine > 0 && others > 0) add_tabor(1 / (mine + others), modulus, numbers);
+  const double first = curvature(own, nearest->first, is_on_rim ? numbers.normal : -1.0 * mine.direction);
+  const double second = curvature(other, nearest->second, -1.0 * (is_on_rim ? numbers.normal : its.direction));
+  if (first > 0 && second > 0) add_tabor(1 / (first + second), modulus, numbers);
 }
 
 }  // namespace ixos

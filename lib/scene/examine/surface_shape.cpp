@@ -15,11 +15,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-bool has_node(const Mesh& mesh, const Side& side, int node) {
-  const std::vector<int> nodes = nodes_of_side(mesh, side);
-  return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-}
-
 }  // namespace
 
 std::vector<Vec<3>> side_points(const Mesh& mesh, const Side& side) {
@@ -32,15 +27,11 @@ std::vector<Vec<3>> side_points(const Mesh& mesh, const Side& side) {
 }
 
 double extent_along(const Mesh& mesh, const std::vector<int>& parts, int part, const Vec<3>& direction) {
-  double lowest = infinity, highest = -infinity;
-  for (int node = 0; node < mesh.nodes(); ++node) {
-    if (parts[static_cast<std::size_t>(node)] != part || mesh.is_derivative(node)) continue;
-    const Vec<3> x = node_place(mesh, node);
-    const double place = x[0] * direction[0] + x[1] * direction[1] + x[2] * direction[2];
-    lowest = std::min(lowest, place);
-    highest = std::max(highest, place);
-  }
-  return highest - lowest;
+  Bounds span;
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (parts[static_cast<std::size_t>(node)] == part && !mesh.is_derivative(node))
+      span.add({inner(node_place(mesh, node), direction), 0, 0});
+  return span.extent(0);
 }
 
 double curvature_of(const Mesh& mesh, const SideSet& set, const Vec<3>& apex, const Vec<3>& normal) {
@@ -81,26 +72,22 @@ double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal) {
 }
 
 double height_of(const Mesh& mesh, const SideSet& set, const Vec<3>& direction) {
-  double lowest = infinity, highest = -infinity;
+  Bounds span;
   for (const Side& side : set.sides)
-    for (const Vec<3>& point : side_points(mesh, side)) {
-      lowest = std::min(lowest, inner(point, direction));
-      highest = std::max(highest, inner(point, direction));
-    }
-  return highest - lowest;
+    for (const Vec<3>& point : side_points(mesh, side)) span.add({inner(point, direction), 0, 0});
+  return span.extent(0);
 }
 
-Vec<3> normal_at(const Mesh& mesh, const SideSet& set, int node) {
+SurfaceNormal normal_at(const Mesh& mesh, const SideSet& set, int node) {
   Vec<3> sum{};
-  for (const Side& side : set.sides)
-    if (has_node(mesh, side, node)) sum = sum + outward_normal(mesh, side);
-  return 1 / length(sum) * sum;
-}
-
-bool is_on_rim(const Mesh& mesh, const SideSet& set, int node) {
-  const auto sides =
-      std::count_if(set.sides.begin(), set.sides.end(), [&](const Side& side) { return has_node(mesh, side, node); });
-  return sides < mesh.dimension;
+  int sides = 0;
+  for (const Side& side : set.sides) {
+    const std::vector<int> nodes = nodes_of_side(mesh, side);
+    if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) continue;
+    sum = sum + outward_normal(mesh, side);
+    ++sides;
+  }
+  return {1 / length(sum) * sum, sides < mesh.dimension};
 }
 
 }  // namespace ixos

@@ -25,11 +25,12 @@ double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal);
 /// Returns how far a surface extends along a direction of length 1 [L0]: 0 of one that is flat across it.
 double height_of(const Mesh& mesh, const SideSet& set, const Vec<3>& direction);
 
-/// Returns the outward normal of a surface at a node, of length 1: the mean of the sides of the set that have it,
-/// weighted by their size; not a number where they cancel.
-Vec<3> normal_at(const Mesh& mesh, const SideSet& set, int node);
+struct SurfaceNormal {
+  Vec<3> direction{};      ///< outwards, of length 1; not a number where the sides cancel
+  bool is_on_rim = false;  ///< the node has one side, in space at most two: the direction is that of one half
+};
 
-/// Returns whether a node of the set is on its rim: it has one side, in space at most two.
-bool is_on_rim(const Mesh& mesh, const SideSet& set, int node);
+/// Returns the normal of a surface at a node: the mean of the sides of the set that have it, weighted by their size.
+SurfaceNormal normal_at(const Mesh& mesh, const SideSet& set, int node);
 
 }  // namespace ixos
