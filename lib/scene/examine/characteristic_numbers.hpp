@@ -40,7 +40,7 @@ struct SurfaceNumbers {
   double least_gap = 0;            ///< at the nodes of the surface, before any displacement [L0]
   double largest_gap = 0;          ///< likewise [L0]
   std::array<double, 3> normal{};  ///< out of the obstacle at the node of least gap
-  double extent = 0;               ///< shorter side of the box around the set, across the normal; see extent_of() [L0]
+  double extent = 0;               ///< the shorter one of the set, across the normal; see extent_of() [L0]
   double thickness = 0;            ///< extent of that part along the normal [L0]
   /// R with 1/R = 1/R of a disk or a ball + 1/R of a curved obstacle, else as the nodes near the least gap have it; 0
   /// if the surface is not round there [L0]

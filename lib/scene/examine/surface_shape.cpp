@@ -57,25 +57,32 @@ double curvature_of(const Mesh& mesh, const SideSet& set, const Vec<3>& apex, co
   return is_round ? middle : 0;
 }
 
-double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal) {
-  Bounds box;
-  for (const Side& side : set.sides)
-    for (const Vec<3>& point : side_points(mesh, side)) box.add(point);
-  std::size_t along = 0;
-  for (std::size_t i = 1; i < 3; ++i)
-    if (std::abs(normal[i]) > std::abs(normal[along])) along = i;
-  if (mesh.axisymmetric && along == 1) return box.upper[0];
-  double extent = infinity;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i)
-    if (i != along) extent = std::min(extent, box.extent(i));
-  return extent;
-}
-
 double height_of(const Mesh& mesh, const SideSet& set, const Vec<3>& direction) {
   Bounds span;
   for (const Side& side : set.sides)
     for (const Vec<3>& point : side_points(mesh, side)) span.add({inner(point, direction), 0, 0});
   return span.extent(0);
+}
+
+double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal) {
+  std::size_t along = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (std::abs(normal[i]) > std::abs(normal[along])) along = i;
+  if (mesh.axisymmetric && along == 1) {
+    Bounds box;
+    for (const Side& side : set.sides)
+      for (const Vec<3>& point : side_points(mesh, side)) box.add(point);
+    return box.upper[0];
+  }
+  double extent = infinity;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i) {
+    if (i == along) continue;
+    Vec<3> axis{};
+    axis[i] = 1;
+    const Vec<3> across = axis - normal[i] * normal;
+    extent = std::min(extent, height_of(mesh, set, 1 / length(across) * across));
+  }
+  return extent;
 }
 
 SurfaceNormal normal_at(const Mesh& mesh, const SideSet& set, int node) {

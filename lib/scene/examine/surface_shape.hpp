@@ -18,12 +18,12 @@ double extent_along(const Mesh& mesh, const std::vector<int>& parts, int part, c
 /// sides.
 double curvature_of(const Mesh& mesh, const SideSet& set, const Vec<3>& apex, const Vec<3>& normal);
 
-/// Returns the shorter side of the box around the sides of a set, without the axis that is nearest to the normal; of a
-/// body of revolution its outer radius, where the surface lies across the axis [L0].
-double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal);
-
 /// Returns how far a surface extends along a direction of length 1 [L0]: 0 of one that is flat across it.
 double height_of(const Mesh& mesh, const SideSet& set, const Vec<3>& direction);
+
+/// Returns the shorter extent of a surface across its normal, of length 1, along the axes but the one nearest to it,
+/// turned into its plane; of a body of revolution the outer radius, where the surface lies across the axis [L0].
+double extent_of(const Mesh& mesh, const SideSet& set, const Vec<3>& normal);
 
 struct SurfaceNormal {
   Vec<3> direction{};      ///< outwards, of length 1; not a number where the sides cancel

@@ -135,6 +135,12 @@ TEST(RegimeTest, ExtentsAreThoseOfTheFace) {
   EXPECT_NEAR(extent(box({4, 2}, {4, 2}), "bottom", below), 4, 1e-12);
   EXPECT_NEAR(extent(box({4, 2}, {4, 2}), "left", test::numbers("Point", {-1, 0}) + test::numbers("Normal", {1, 0})), 2,
               1e-12);
+  const std::string turned =
+      test::list("Map", test::word("X", "x*cos(0.4) - y*sin(0.4)") + test::word("Y", "x*sin(0.4) + y*cos(0.4)"));
+  EXPECT_NEAR(extent(box({4, 2}, {4, 2}, turned), "bottom",
+                     test::numbers("Point", {std::sin(0.4), -std::cos(0.4)}) +
+                         test::numbers("Normal", {-std::sin(0.4), std::cos(0.4)})),
+              4, 1e-12);
   EXPECT_NEAR(extent(box({4, 3, 2}, {4, 3, 2}), "bottom",
                      test::numbers("Point", {0, 0, -1}) + test::numbers("Normal", {0, 0, 1})),
               3, 1e-12);
