@@ -39,6 +39,7 @@ void History::take_columns(const std::vector<std::string>& columns) {
   places_.clear();
   for (const std::string& name : row_.columns()) places_.push_back(place_of(columns_, name));
   released_place_ = place_of(columns_, released_column);
+  adapted_place_ = place_of(columns_, adapted_column);
 }
 
 void History::create(const std::string& path) {
@@ -73,6 +74,7 @@ void History::go_on_from(History& before) {
   }
   take_columns(before.columns_);
   file_ = std::move(before.file_);
+  adapted_ = before.adapted_;
   initial_energy_ = before.initial_energy_;
   balance_ = before.balance_;
   max_energy_error_ = before.max_energy_error_;
@@ -108,7 +110,7 @@ void History::record(const RowCounts& counts, bool is_first) {
   const TimedScope timed(Phase::Output);
   RowValues values = row_.values(counts);
   if (simulation_.output().energies) {
-    balance_ = values.balance;
+    balance_ = values.balance - adapted_;
     if (std::isnan(initial_energy_)) initial_energy_ = balance_;
     if (std::isnan(max_energy_error_)) max_energy_error_ = 0;  // a checkpoint of a run without energies
     largest_energy_ = std::max({largest_energy_, values.kinetic, std::abs(values.elastic), std::abs(values.contact)});
@@ -127,6 +129,7 @@ void History::record(const RowCounts& counts, bool is_first) {
   std::vector<double> line(columns_.size(), empty);
   for (std::size_t i = 0; i < values.row.size(); ++i) line[places_[i]] = values.row[i];
   if (released_place_ < line.size() && simulation_.output().energies) line[released_place_] = jumps().released;
+  if (adapted_place_ < line.size() && simulation_.output().energies) line[adapted_place_] = adapted_;
   together(simulation_.model().space().comm(), [&] {
     if (file_) file_->write(line);
   });

@@ -34,15 +34,19 @@ class History {
   void record(const RowCounts& counts, bool is_first = false);
   /// Skips the row of a step: its reactions still count for max_forces().
   void pass();
-  /// Returns the largest |E_n - E_0 - external work + dissipation + released energy| of the rows [E0 L0^D]; NaN without
-  /// energies. A scheme makes no error where a body jumps to another equilibrium: the energy that it releases is added.
+  /// Sets the energy that changes of the mesh have added so far [E0 L0^D], for the rows from here on.
+  void set_adapted(double energy) { adapted_ = energy; }
+  /// Returns the largest |E_n - E_0 - external work + dissipation + released energy - that of adaptations| of the rows
+  /// [E0 L0^D]; NaN without energies. A scheme makes no error where a body jumps to another equilibrium, or its mesh
+  /// changes.
   double max_energy_error() const { return max_energy_error_; }
   /// Returns the largest kinetic, elastic or interaction energy of the recorded rows [E0 L0^D], the scale of that
   /// error.
   double largest_energy() const { return largest_energy_; }
   /// Returns, by reaction column, the value of largest magnitude over all steps.
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
-  /// Returns the last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
+  /// Returns the last row's energy less external work plus dissipation, less what changes of the mesh have added
+  /// [E0 L0^D]; NaN without energies.
   double balance() const { return balance_; }
   /// Returns the jump of a quasi-static run before the last row, and all jumps so far.
   const Jump& jump() const { return jump_; }
@@ -77,6 +81,8 @@ class History {
   std::vector<std::string> columns_;   ///< of the file
   std::vector<std::size_t> places_;    ///< among them, of the numbers of a row
   std::size_t released_place_ = 0;     ///< among them, of the energy that jumps released; their number if there is none
+  std::size_t adapted_place_ = 0;      ///< likewise of the energy that changes of the mesh added
+  double adapted_ = 0;                 ///< that energy
   TableLength length_;                 ///< of the file, as loaded
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   /// Energy at the first row, less external work, plus dissipation; NaN if no energies were recorded yet.

@@ -8,6 +8,7 @@
 #include "base/agreement.hpp"
 #include "checkpoint/seal.hpp"
 #include "run/checkpoints.hpp"
+#include "run/mesh_follower.hpp"
 #include "scene/read/obstacle_files.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
@@ -148,6 +149,29 @@ std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, co
   for (std::size_t k = simulation.stage(); k < begins.size(); ++k)
     stage = (stage ? *stage : simulation).next_stage(begins[k]);
   return stage;
+}
+
+std::shared_ptr<Simulation> mesh_of_checkpoint(const Simulation& simulation, const std::string& path) {
+  const Comm& comm = simulation.model().space().comm();
+  const std::string file = sound_checkpoint(comm, path);
+  CellSplits splits;
+  together<InputError>(comm, [&] {
+    Hdf5Input input(file);
+    if (!input.has_group("run")) return;
+    input.enter("run");
+    if (!input.has_group(adaptation_section))
+      throw InputError(file + ": its run had a mesh that stays, but that of the scene follows the front: Mesh/Adapt");
+    input.enter(adaptation_section);
+    splits = CellSplits::of_text(input.text(splits_name));
+  });
+  if (splits == simulation.split_mesh().tree().splits()) return nullptr;
+  std::shared_ptr<Simulation> other;
+  try {
+    other = simulation.on_mesh(splits, true);
+  } catch (const InputError& error) {
+    throw InputError(file + ": its mesh cannot be made of the scene's: " + error.what());
+  }
+  return other;
 }
 
 bool Restart::is_in(const std::string& folder) const {

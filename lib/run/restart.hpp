@@ -41,4 +41,8 @@ class Restart {
 /// that the scene does not have. Collective.
 std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, const std::string& path);
 
+/// Returns the simulation on the mesh that a checkpoint was written with, without a state, of a scene whose mesh
+/// follows the front. Throws InputError if the path is no checkpoint, or has no such mesh. Collective.
+std::shared_ptr<Simulation> mesh_of_checkpoint(const Simulation& simulation, const std::string& path);
+
 }  // namespace ixos

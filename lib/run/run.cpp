@@ -11,6 +11,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "base/memory_record.hpp"
 #include "run/checkpoints.hpp"
 #include "run/energy_watch.hpp"
 #include "run/handover.hpp"
@@ -29,6 +30,15 @@
 namespace ixos {
 namespace {
 
+/// The record of what watches a run, between two meshes.
+class WatchRecord final : public MemoryRecord {
+ public:
+  using MemoryRecord::MemoryRecord;
+  bool same_scene() const override { return true; }
+  bool same_solution() const override { return true; }
+  bool same_partition() const override { return false; }
+};
+
 /// One run, from its beginning or a checkpoint to its end.
 class Run {
  public:
@@ -43,7 +53,8 @@ class Run {
         checkpoints_(simulation, options.folder),
         files_(simulation, options.folder, options.scene_file),
         watch_(simulation),
-        measures_(simulation) {
+        measures_(simulation),
+        follower_(simulation) {
     if (options_.iterate && comm_->getRank() == 0)
       integrator_.watch(
           [this](const NewtonIterate& iterate) { options_.iterate(progress(clock_.seconds(), true, iterate)); });
@@ -64,6 +75,10 @@ class Run {
   }
   /// Continues the run of another simulation: takes its result, its clock and its rows.
   void take_over(Run& before);
+  /// Does the same for the same scene on another mesh: watches and criteria go on, too.
+  void take_over_mesh(Run& before);
+  /// Returns whether advance() returned the same scene on another mesh.
+  bool has_changed_mesh() const { return on_other_mesh_ != nullptr; }
   /// Takes steps to the end and returns null, or to an exchange and returns the next simulation.
   std::shared_ptr<Simulation> advance();
   const RunResult& result() const { return result_; }
@@ -85,6 +100,8 @@ class Run {
   void look_at_criteria();
   void warn_of_jump();
   void measure_row();
+  bool change_mesh(std::shared_ptr<Simulation> next);
+  void transfer_watches(Record& record);
   bool interlude();
   void step();
   void end();
@@ -124,6 +141,8 @@ class Run {
   RunFiles files_;
   EnergyWatch watch_;
   RunMeasures measures_;
+  MeshFollower follower_;
+  std::shared_ptr<Simulation> on_other_mesh_;  ///< with which the run goes on; null: none
   RunClock clock_;
   std::string resumed_from_;                   ///< the checkpoint that the watch went back to
   double attempted_ = 0;                       ///< length of the last step
@@ -140,8 +159,11 @@ std::shared_ptr<Simulation> Run::advance() {
       if (!interlude()) continue;
       const long before = result_.steps;
       step();
+      if (on_other_mesh_) return on_other_mesh_;
       if (is_over() || result_.steps != before + 1) continue;
       if (auto next = exchanged()) return next;
+      if (follower_.on() && change_mesh(follower_.adapted(result_.steps, files_.history().largest_energy())))
+        return on_other_mesh_;
     }
     if (auto next = next_stage()) return next;
     end();
@@ -190,13 +212,48 @@ std::shared_ptr<Simulation> Run::exchanged() const {
   return next;
 }
 
+/// Notes the simulation on another mesh, if there is one. Returns whether there is.
+bool Run::change_mesh(std::shared_ptr<Simulation> next) {
+  on_other_mesh_ = std::move(next);
+  return on_other_mesh_ != nullptr;
+}
+
+/// What goes on where the mesh changes, as at a restart, but for what an integrator keeps.
+void Run::transfer_watches(Record& record) {
+  stop_.transfer(record);
+  watch_.transfer(record);
+  measures_.transfer(record, files_.history());
+  control_.transfer(record);
+}
+
+void Run::take_over_mesh(Run& before) {
+  result_ = before.result_;
+  clock_ = before.clock_;
+  follower_.go_on_from(before.follower_);
+  try {
+    files_.go_on_from(before.files_, true);
+  } catch (const FileError& error) {
+    throw FileError(before.with_position(error.what()));
+  }
+  files_.history().set_adapted(follower_.changes().energy);
+  checkpoints_.go_on_from(before.checkpoints_);
+  resumed_from_ = checkpoints_.newest();
+  stop_.reason(simulation_.model(), integrator_.state());  // the criteria's places in this mesh
+  MemoryRecord::Values values;
+  WatchRecord saving(values, 1), loading(values, 0);
+  before.transfer_watches(saving);
+  transfer_watches(loading);
+  first_time_ = before.first_time_;
+  first_seconds_ = before.first_seconds_;
+}
+
 void Run::take_over(Run& before) {
   simulation_.resumes();
   result_ = before.result_;
   clock_ = before.clock_;
   add_findings(run_warnings(before.measures_.finish(before.files_.history())));
   try {
-    files_.go_on_from(before.files_);
+    files_.go_on_from(before.files_, false);
   } catch (const FileError& error) {
     throw FileError(before.with_position(error.what()));
   }
@@ -347,6 +404,10 @@ void Run::step() {
     if (control_.exhausted(why)) fail(why, remedies(simulation_, false));
     return;
   }
+  if (follower_.on()) {
+    if (change_mesh(follower_.refined())) return;
+    follower_.count();
+  }
   if (watch_.on()) watch_.step(integrator_);
   integrator_.accept();
   control_.succeeded();
@@ -448,6 +509,7 @@ void Run::end() {
   result_.contacts = files_.history().contacts().times();
   result_.checkpoint = checkpoints_.newest();
   result_.jumps = files_.history().jumps();
+  result_.mesh_changes = follower_.changes();
   result_.phase_seconds = clock_.phases();
   add_findings(run_warnings(measures_.finish(files_.history())));
   write_summary(simulation_, result_, options_.folder + "/summary.json");
@@ -491,6 +553,8 @@ void Run::transfer(Record& record) {
   stop_.transfer(record);
   watch_.transfer(record);
   measures_.transfer(record, files_.history());
+  follower_.transfer(record);
+  files_.history().set_adapted(follower_.changes().energy);
   // Other steps or another scheme begin with their own.
   if (!record.loading() || record.same_scene()) control_.transfer(record);
 }
@@ -502,14 +566,23 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   const auto tell = [&](const std::shared_ptr<Simulation>& stage) {
     if (options.stage) together(stage->model().space().comm(), [&] { options.stage(stage); });
   };
-  if (!options.restart.empty()) other = stage_of_checkpoint(simulation, options.restart);
+  if (options.restart.empty())
+    other = on_initial_mesh(simulation);
+  else if (simulation.adaptation().on())
+    other = mesh_of_checkpoint(simulation, options.restart);
+  else
+    other = stage_of_checkpoint(simulation, options.restart);
   auto present = std::make_unique<Run>(other ? *other : simulation, options);
   present->start();
   if (other) tell(other);
   while (std::shared_ptr<Simulation> next = present->advance()) {
     auto later = std::make_unique<Run>(*next, options);
-    later->take_over(*present);
-    if (next->stage() > 0) tell(next);
+    const bool on_other_mesh = present->has_changed_mesh();
+    if (on_other_mesh)
+      later->take_over_mesh(*present);
+    else
+      later->take_over(*present);
+    if (on_other_mesh || next->stage() > 0) tell(next);
     present = std::move(later);
     other = std::move(next);
   }

@@ -11,6 +11,7 @@
 #include "checkpoint/program_state.hpp"
 #include "run/contact_events.hpp"
 #include "run/jump_watch.hpp"
+#include "run/mesh_follower.hpp"
 #include "run/remedies.hpp"
 #include "run/stage_ends.hpp"
 #include "scene/simulation.hpp"
@@ -58,7 +59,8 @@ struct RunOptions {
   /// throws on all ranks. A run that repeats this one in the same folder needs `overwrite`. May be empty.
   std::function<std::shared_ptr<Simulation>(Simulation& present)> exchange;
   /// Called on every rank with the simulation of the next stage of the scene, which has its state, before its steps; at
-  /// a restart in a later stage with that of the checkpoint. The run and the caller share it. May be empty.
+  /// a restart in a later stage with that of the checkpoint. So it is with a simulation on another mesh, if the scene's
+  /// mesh follows the front. The run and the caller share it. May be empty.
   std::function<void(const std::shared_ptr<Simulation>&)> stage;
   /// The state of the caller, for example of an observer or of a motion that it sets: the checkpoints of the run hold
   /// it, and a restart reads it. A checkpoint with other states is refused with InputError.
@@ -84,6 +86,7 @@ struct RunResult {
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
   std::vector<ContactTimes> contacts;                      ///< see History::contacts
   JumpSums jumps{};                                        ///< to other equilibria, of a quasi-static run
+  MeshChanges mesh_changes{};                              ///< of a mesh that follows the front
   std::vector<StageEnd> stages{};                          ///< those that have ended; none of a scene without stages
   PhaseSeconds phase_seconds{};                            ///< of rank 0
   std::string checkpoint;                                  ///< the newest one's path, or nothing

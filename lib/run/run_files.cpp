@@ -42,15 +42,21 @@ void RunFiles::name_frames() {
     fields_ = std::make_unique<FieldRecorder>(simulation_, numbered("fields", frame_files_, ".e"), scene_file_);
 }
 
-void RunFiles::go_on_from(RunFiles& before) {
+void RunFiles::go_on_from(RunFiles& before, bool on_other_mesh) {
   history_.go_on_from(before.history_);
-  if (before.fields_) {
-    if (!before.framed_) before.fields_->record();
+  if (before.frames_begun_) {
+    if (!before.framed_ && !on_other_mesh) before.fields_->record();
     before.fields_->sync();
     before.fields_->close();
   }
   counts_ = before.counts_;
   recorded_ = before.recorded_;
+  if (on_other_mesh) {
+    exchanges_ = before.exchanges_;
+    frame_files_ = before.frame_files_ + (before.frames_begun_ ? 1 : 0);
+    framed_ = before.framed_;
+    return name_frames();
+  }
   exchanges_ = before.exchanges_ + 1;
   const bool goes_on = simulation_.stage() > 0 && fields_ && before.fields_ && fields_->has_fields_of(*before.fields_);
   frame_files_ = before.frame_files_ + (goes_on || !before.fields_ ? 0 : 1);
@@ -59,11 +65,11 @@ void RunFiles::go_on_from(RunFiles& before) {
   if (!goes_on && fields_) begin_frames();
   if (!goes_on) return;
   fields_->resume(before.fields_->length());
-  framed_ = true;
+  framed_ = frames_begun_ = true;
 }
 
 void RunFiles::open_folder(bool goes_on) {
-  const bool keep_fields = goes_on && (has_frames() || !fields_);
+  const bool keep_present = has_frames() || !fields_;
   on_first_rank(simulation_.model().space().comm(), [&] {
     std::error_code code;
     std::filesystem::create_directories(folder_, code);
@@ -71,7 +77,8 @@ void RunFiles::open_folder(bool goes_on) {
     for (const std::string& name : names_in(folder_)) {
       const NumberedResult of = numbered_result(name);
       const bool is_later = of.frames > frame_files_ + 1 || of.scene > exchanges_ + 1;
-      if (!is_later && name != "summary.json" && (keep_fields || of.frames == 0)) continue;
+      const bool keep_frames = goes_on && (keep_present || of.frames <= frame_files_);
+      if (!is_later && name != "summary.json" && (keep_frames || of.frames == 0)) continue;
       const std::filesystem::path path = std::filesystem::path(folder_) / name;
       std::filesystem::remove(path, code);
       if (code) throw FileError(path.string() + ": cannot be replaced: " + code.message());
@@ -97,16 +104,23 @@ void RunFiles::verify() {
 
 void RunFiles::resume() {
   history_.resume(history_path());
-  if (has_frames())
+  if (has_frames()) {
     fields_->resume(field_length_);
-  else if (fields_)
+    frames_begun_ = true;
+  } else if (fields_ && !simulation_.adaptation().on()) {
     begin_frames();
+  }
 }
 
 void RunFiles::begin_frames() {
-  fields_->create();
-  fields_->record();
+  record_frame();
   framed_ = true;
+}
+
+void RunFiles::record_frame() {
+  if (!frames_begun_) fields_->create();
+  frames_begun_ = true;
+  fields_->record();
 }
 
 void RunFiles::count(const StepResult& attempt, double wall_seconds) {
@@ -130,14 +144,14 @@ void RunFiles::record(long step, double dt, double before) {
   else
     history_.pass();
   framed_ = frames_.due(step, before, now);
-  if (fields_ && framed_) fields_->record();
+  if (fields_ && framed_) record_frame();
 }
 
 void RunFiles::finish() {
   if (!recorded_) row();
-  if (fields_ && !framed_) fields_->record();
+  if (fields_ && !framed_) record_frame();
   history_.close();
-  if (!fields_) return;
+  if (!frames_begun_) return;
   fields_->sync();
   fields_->close();
 }
@@ -151,7 +165,7 @@ bool RunFiles::end_stage() {
 
 void RunFiles::sync() {
   history_.sync();
-  if (fields_) fields_->sync();
+  if (frames_begun_) fields_->sync();
 }
 
 void RunFiles::transfer(Record& record, long step, double wall_seconds) {
@@ -159,15 +173,16 @@ void RunFiles::transfer(Record& record, long step, double wall_seconds) {
   record.number("newton iterations since the row", counts_.newton_iterations);
   record.number("linear iterations since the row", counts_.linear_iterations);
   record.number("recorded", recorded_);
-  long exchanges = record.loading() ? 0 : exchanges_;
-  if (record.loading() ? record.has_section("exchanges") : exchanges > 0) {
+  const long exchanges = exchanges_, frame_files = frame_files_;
+  if (record.loading()) exchanges_ = 0;
+  if (record.loading() ? record.has_section("exchanges") : exchanges_ > 0 || frame_files_ > 0) {
     const Record::Section section(record, "exchanges");
-    record.number("count", exchanges);
+    record.number("count", exchanges_);
     record.number("files of frames", frame_files_);
   }
-  if (std::exchange(exchanges_, exchanges) != exchanges) name_frames();
+  if (exchanges_ != exchanges || frame_files_ != frame_files) name_frames();
   record.number("framed", framed_);
-  if (fields_ && !record.loading()) field_length_ = fields_->length();
+  if (!record.loading()) field_length_ = frames_begun_ ? fields_->length() : FieldLength();
   record.number("frames", field_length_.frames);
   std::vector<double> bytes{field_length_.bytes};
   if (!record.loading() || record.same_partition()) record.share("bytes of frames", bytes);

@@ -42,9 +42,9 @@ class RunFiles {
   /// Gives the last state of a stage a row, unless it has one. Returns whether it did.
   bool end_stage();
   /// Goes on with the rows of another simulation, which ends, and with frames in a new file, whose first one is the
-  /// present state. A stage with the same fields appends to the file of the stage before. Throws InputError, on all
-  /// ranks, if the columns are others.
-  void go_on_from(RunFiles& before);
+  /// present state. A stage with the same fields appends to the file of the stage before; after a change of the mesh
+  /// the new file begins with the next frame that is due. Throws InputError, on all ranks, if the columns are others.
+  void go_on_from(RunFiles& before, bool on_other_mesh);
 
   /// A step that was attempted, and the clock after it.
   void count(const StepResult& attempt, double wall_seconds);
@@ -62,6 +62,7 @@ class RunFiles {
 
  private:
   bool has_frames() const { return fields_ && field_length_.frames > 0; }
+  void record_frame();
   void begin_frames();
   void row(bool is_first = false);
   std::string history_path() const { return folder_ + "/history.csv"; }
@@ -79,6 +80,7 @@ class RunFiles {
   long frame_files_ = 0;      ///< before the present one
   bool recorded_ = true;      ///< has the present state a row?
   bool framed_ = true;        ///< and a frame?
+  bool frames_begun_ = false;  ///< has the present file of frames been made?
   FieldLength field_length_;  ///< in the folder of the checkpoint that was loaded
 };
 

@@ -84,6 +84,15 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
                      {"released", result.jumps.released},
                      {"largest", {{"released", largest.released}, {"from", largest.from}, {"to", largest.to}}}};
   }
+  if (simulation.adaptation().on()) {
+    const MeshChanges& changes = result.mesh_changes;
+    json["mesh_changes"] = {{"count", changes.count},
+                            {"repeated_steps", changes.repeated},
+                            {"energy", changes.energy},
+                            {"coarsening", changes.coarsening},
+                            {"mean_dofs", changes.unknowns / static_cast<double>(std::max(result.steps, 1L))},
+                            {"most_dofs", changes.most_unknowns}};
+  }
   if (simulation.stages().any()) {
     std::vector<StageEnd> stages = result.stages;
     if (result.status == RunStatus::Completed || result.status == RunStatus::Stopped)

@@ -12,6 +12,9 @@ namespace ixos {
 /// does not have it.
 inline constexpr const char* released_column = "released_energy";
 
+/// The energy that changes of the mesh have added so far, of a run whose mesh follows the front; likewise of the run.
+inline constexpr const char* adapted_column = "adapted_energy";
+
 struct HistoryColumns {
   std::vector<std::string> names;      ///< in the order of a row
   std::vector<std::string> reactions;  ///< those that are forces of node sets, then of grips, in the same order

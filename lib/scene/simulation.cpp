@@ -37,6 +37,8 @@
 #include "scene/read/maxwell_branches.hpp"
 #include "scene/read/newton_options.hpp"
 #include "scene/read/obstacle_files.hpp"
+#include "scene/read/mesh_adaptation.hpp"
+#include "scene/read/mesh_refinement.hpp"
 #include "scene/read/scene_mesh.hpp"
 #include "scene/read/scene_units.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
@@ -73,6 +75,7 @@ std::vector<std::string> interaction_names(const List& scene) {
 std::vector<std::string> columns_of_run(const Simulation& simulation) {
   std::vector<std::string> columns = history_columns(simulation).names;
   if (simulation.model().mass() == nullptr) columns.emplace_back(released_column);
+  if (simulation.adaptation().on()) columns.emplace_back(adapted_column);
   return columns;
 }
 
@@ -81,26 +84,32 @@ std::vector<std::string> columns_of_run(const Simulation& simulation) {
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder, const GivenHistories& given)
     : Simulation(std::make_shared<Plan>(
                      Plan{Stages(scene, given), [folder](const List& list) { return with_files(list, folder); },
-                          [folder](List& list, bool bubbles) { return scene_mesh(list, folder, bubbles); },
+                          [folder](List& list, bool bubbles, const Splitting& splitting) {
+                            return scene_mesh(list, folder, bubbles, splitting);
+                          },
                           [folder](const List& list) { prepare_drawings(list, folder); }, given}),
-                 comm, {}) {}
+                 comm, {}, {}) {}
 
 Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given)
-    : Simulation(std::make_shared<Plan>(given_mesh_plan(scene, mesh, given)), comm, {}) {}
+    : Simulation(std::make_shared<Plan>(given_mesh_plan(scene, mesh, given)), comm, {}, {}) {}
 
-/// Only later stages need the mesh after the constructor.
+/// Only later stages, and meshes that change, need the mesh after the constructor.
 Simulation::Plan Simulation::given_mesh_plan(const List& scene, const Mesh& mesh, const GivenHistories& given) {
   Stages stages(scene, given);
-  const auto kept = stages.any() ? std::make_shared<const Mesh>(mesh) : std::shared_ptr<const Mesh>();
+  const bool changes = scene.isSublist("Mesh") && scene.sublist("Mesh").isSublist("Adapt");
+  const auto kept = stages.any() || changes ? std::make_shared<const Mesh>(mesh) : std::shared_ptr<const Mesh>();
   const Mesh* own = kept ? kept.get() : &mesh;
   return {std::move(stages),
           [d = mesh.dimension, axisymmetric = mesh.axisymmetric](const List& list) {
             return with_given_mesh(with_files(list, "."), d, axisymmetric);
           },
-          [kept, own](List& list, bool bubbles) { return scene_mesh(list, *own, bubbles); }, [](const List&) {}, given};
+          [kept, own](List& list, bool bubbles, const Splitting& splitting) {
+            return scene_mesh(list, *own, bubbles, splitting);
+          },
+          [](const List&) {}, given};
 }
 
-Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins)
+Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins, const Origin& origin)
     : plan_(std::move(plan)),
       begins_(std::move(begins)),
       parameters_(complete_scene(plan_->with_files(plan_->stages.scene(begins_)))),
@@ -126,9 +135,12 @@ Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector
   materials_ = read_materials(scene_node.sublist("Materials"));
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
-  build_model(comm, table.mass);
+  adaptation_ = read_adaptation(scene_node, materials_, interactions_);
+  if (adaptation_.on() && stages().any())
+    throw InputError("Mesh/Adapt: a mesh that follows the front does not go with Stages; set Levels to 0");
+  build_model(comm, table.mass, origin);
   build_integrator(std::move(table));
-  if (stage() == 0)
+  if (stage() == 0 && !origin.awaits_state)
     set_initial_state();
   else
     integrator_->await_state(control.initial_time);
@@ -190,10 +202,26 @@ std::unique_ptr<Simulation> Simulation::next_stage(double begin) const {
   if (!has_next_stage()) throw std::logic_error("the scene has no further stage");
   std::vector<double> begins = begins_;
   begins.push_back(begin);
-  std::unique_ptr<Simulation> next(new Simulation(plan_, model_->space().comm(), std::move(begins)));
+  std::unique_ptr<Simulation> next(new Simulation(plan_, model_->space().comm(), std::move(begins), {}));
   next->setup_seconds_ += setup_seconds_;                                 // of all so far
   next->planned_end_ = planned_end_ + begin - step_control().final_time;  // a stage may end early
   return next;
+}
+
+std::unique_ptr<Simulation> Simulation::on_mesh(const CellSplits& splits, bool awaits_state) const {
+  std::unique_ptr<Simulation> next(
+      new Simulation(plan_, model_->space().comm(), begins_, Origin{&splits, awaits_state}));
+  next->setup_seconds_ += setup_seconds_;
+  return next;
+}
+
+const SplitMesh& Simulation::split_mesh() const {
+  if (!split_mesh_) throw std::logic_error("the mesh of the scene stays as it is");
+  return *split_mesh_;
+}
+
+std::vector<NamedRegion> Simulation::refined_places() const {
+  return refined_regions(SceneNode(parameters_, "").sublist("Mesh").sublist("Refine"));
 }
 
 void Simulation::resumes() {
@@ -249,20 +277,30 @@ bool Simulation::some_stage_needs_bubbles() const {
   return false;
 }
 
-void Simulation::build_model(const Comm& comm, Inertia inertia) {
+/// Makes the mesh, and enriches its surfaces. May throw on some ranks only.
+Mesh Simulation::whole_mesh(const CellSplits* splits, Inertia inertia) {
+  Mesh base;
+  SplitTree tree;
+  Splitting splitting;
+  if (adaptation_.on()) splitting = {{}, splits, &base, &tree};
+  Mesh mesh = plan_->make_mesh(parameters_.sublist("Mesh"), inertia == Inertia::Lumped || some_stage_needs_bubbles(),
+                               splitting);
+  for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
+    warnings_.push_back({"mesh", std::move(message)});
+  if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())
+    mesh.notes.push_back(std::move(note));
+  set_sizes_ = ixos::set_sizes(mesh);
+  read_factor_fields(interactions_, parameters_.sublist("Mesh"), mesh);
+  enrich_surfaces(interactions_, mesh);
+  if (adaptation_.on()) split_mesh_ = std::make_unique<const SplitMesh>(std::move(base), mesh, std::move(tree));
+  return mesh;
+}
+
+void Simulation::build_model(const Comm& comm, Inertia inertia, const Origin& origin) {
   const NamedScope scope("mesh and model");
   Mesh mesh;
   on_first_rank(comm, [&] { plan_->prepare(parameters_.sublist("Mesh")); });
-  together<InputError>(comm, [&] {
-    mesh = plan_->make_mesh(parameters_.sublist("Mesh"), inertia == Inertia::Lumped || some_stage_needs_bubbles());
-    for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
-      warnings_.push_back({"mesh", std::move(message)});
-    if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())
-      mesh.notes.push_back(std::move(note));
-    set_sizes_ = ixos::set_sizes(mesh);
-    read_factor_fields(interactions_, parameters_.sublist("Mesh"), mesh);
-    enrich_surfaces(interactions_, mesh);
-  });
+  together<InputError>(comm, [&] { mesh = whole_mesh(origin.splits, inertia); });
   notes_ = mesh.notes;
   result_units_ = ixos::result_units(units_, mesh.body_dimension());
   std::vector<double> files = nodal_factors(interactions_);
@@ -274,7 +312,7 @@ void Simulation::build_model(const Comm& comm, Inertia inertia) {
       throw InputError("the ranks read different meshes: all must see the same files, and the same cache of meshes");
   });
   if (plan_->mesh.empty()) plan_->mesh = mesh_fingerprint_;
-  if (plan_->mesh != mesh_fingerprint_)
+  if (plan_->mesh != mesh_fingerprint_ && !adaptation_.on())
     throw InputError(
         "the mesh is another one than that of the first stage: all stages need the same contact elements on the same "
         "surfaces, the same mesh and the same Factor Fields");
@@ -296,7 +334,8 @@ void Simulation::build_model(const Comm& comm, Inertia inertia) {
                             inertia == Inertia::None);
   // A body at rest may be in the way of an obstacle that has moved by now: the state that a later stage is given
   // counts.
-  const double start = stage() == 0 ? control.initial_time : std::numeric_limits<double>::quiet_NaN();
+  const bool is_start = stage() == 0 && !origin.awaits_state;
+  const double start = is_start ? control.initial_time : std::numeric_limits<double>::quiet_NaN();
   add_interactions(interactions_, histories, start, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   add_grips(scene.sublist("Grips"), histories, *model_);

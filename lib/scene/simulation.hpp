@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "adapt/options.hpp"
+#include "adapt/split_mesh.hpp"
 #include "base/tpetra.hpp"
 #include "base/warning.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/set_size.hpp"
+#include "mesh/splitting/refine.hpp"
 #include "scene/examine/characteristic_numbers.hpp"
 #include "scene/output/output_options.hpp"
 #include "scene/read/histories.hpp"
@@ -76,6 +79,16 @@ class Simulation {
   /// Returns the velocities that the list "Initial Conditions" gives [L0/T0], a local array.
   std::vector<double> given_velocities() const;
 
+  /// Returns how the mesh follows the front.
+  const AdaptOptions& adaptation() const { return adaptation_; }
+  /// Returns the mesh that may change, and how its cells were split. Throws std::logic_error if it stays.
+  const SplitMesh& split_mesh() const;
+  /// Returns the places of the scene's list "Mesh/Refine".
+  std::vector<NamedRegion> refined_places() const;
+  /// Builds the same scene on a mesh whose cells are split so, in its initial state; or, with `awaits_state`, without a
+  /// state, for Integrator::initialize() or a checkpoint at that time [T0]. Throws InputError as the constructor does.
+  std::unique_ptr<Simulation> on_mesh(const CellSplits& splits, bool awaits_state) const;
+
   const std::vector<SetSize>& set_sizes() const { return set_sizes_; }  ///< before contact elements add nodes
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
@@ -97,7 +110,7 @@ class Simulation {
   struct Plan {
     Stages stages;
     std::function<Teuchos::ParameterList(const Teuchos::ParameterList&)> with_files;
-    std::function<Mesh(Teuchos::ParameterList& list, bool bubbles)> make_mesh;
+    std::function<Mesh(Teuchos::ParameterList& list, bool bubbles, const Splitting& splitting)> make_mesh;
     std::function<void(const Teuchos::ParameterList& list)> prepare;  ///< before make_mesh, on the first rank
     GivenHistories given;
     std::vector<std::string> columns{};
@@ -105,9 +118,15 @@ class Simulation {
     std::string mesh{};        ///< the fingerprint of the first stage's mesh
   };
   static Plan given_mesh_plan(const Teuchos::ParameterList& scene, const Mesh& mesh, const GivenHistories& given);
-  Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins);
+  /// How the cells of a mesh that follows the front are split, and whether a state comes from outside.
+  struct Origin {
+    const CellSplits* splits = nullptr;  ///< null: as the list "Refine" says
+    bool awaits_state = false;
+  };
+  Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins, const Origin& origin);
   bool some_stage_needs_bubbles() const;
-  void build_model(const Comm& comm, Inertia inertia);
+  Mesh whole_mesh(const CellSplits* splits, Inertia inertia);
+  void build_model(const Comm& comm, Inertia inertia, const Origin& origin);
   void look_ahead();
   void refuse_jump_to(const Simulation& next) const;
   void build_integrator(Table table);
@@ -126,6 +145,8 @@ class Simulation {
   std::vector<SceneInteraction> interactions_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
+  AdaptOptions adaptation_;
+  std::unique_ptr<const SplitMesh> split_mesh_;  ///< null if the mesh stays
   std::vector<Probe> probes_;
   std::string mesh_fingerprint_;
   MeshQuality mesh_quality_;

@@ -1,17 +1,13 @@
 #include "time/acceleration.hpp"
 
-#include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
-
-#include "solve/choice/linear_solver_defaults.hpp"
-#include "solve/iterative/mass_operator.hpp"
+#include <utility>
 
 namespace ixos {
 
 Acceleration::Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver)
-    : model_(model), linear_solver_(std::move(linear_solver)), forces_(model) {}
+    : model_(model), mass_(model, std::move(linear_solver)), forces_(model) {}
 
 bool Acceleration::balance(const Place& at) {
   const auto local = static_cast<std::size_t>(model_.space().local());
@@ -61,39 +57,7 @@ bool Acceleration::solve_consistent(double time, std::vector<double>& a) {
       if (i < owned) rhs_values[i] = a[i];
     }
   }
-  if (!mass_system_) prepare_mass_system();
-  if (!scale_.empty())
-    for (std::size_t i = 0; i < owned; ++i) rhs_values[i] *= scale_[i];
-  Vector rhs(model_.space().owned_map());
-  Vector solution(model_.space().owned_map());
-  {
-    const auto view = rhs.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    std::copy_n(rhs_values.data(), view.extent(0), view.data());
-  }
-  if (!mass_system_->solve(rhs, solution) || !std::isfinite(solution.norm2())) return false;
-  if (!scale_.empty()) {
-    const auto view = solution.getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (std::size_t i = 0; i < owned; ++i) view(i, 0) *= scale_[i];
-  }
-  model_.space().import(solution, a.data());
-  return true;
-}
-
-void Acceleration::prepare_mass_system() {
-  if (linear_solver_->matrix_free()) {
-    const auto mass = Teuchos::rcp(new ScaledMass(model_));
-    scale_ = mass->scale();
-    Teuchos::ParameterList conjugate_gradients;
-    conjugate_gradients.set("Linear Solver Type", "Belos").set("Preconditioner Type", "None");
-    mass_solver_ = std::make_unique<LinearSolverFactory>(completed_linear_solver(conjugate_gradients, {}));
-    mass_system_ = std::make_unique<LinearSystem>(*mass_solver_, mass);
-    return;
-  }
-  const auto matrix = model_.pattern().create_matrix(model_.space());
-  double* values = matrix->getLocalMatrixHost().values.data();
-  model_.mass()->add_to(1.0, values);
-  if (!model_.constraints().empty()) model_.constrained_entries().constrain(1.0, values);
-  mass_system_ = std::make_unique<LinearSystem>(*linear_solver_, matrix);
+  return mass_.solve(std::move(rhs_values), a.data());
 }
 
 void Acceleration::record_forces(State& state) const {

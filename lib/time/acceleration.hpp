@@ -6,6 +6,7 @@
 #include "balance/balance.hpp"
 #include "solve/choice/linear_solver.hpp"
 #include "state/state.hpp"
+#include "time/mass_solver.hpp"
 
 namespace ixos {
 
@@ -18,7 +19,7 @@ class Acceleration {
   Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver);
 
   /// Forgets the mass matrix, for a pattern that has changed.
-  void renew() { mass_system_.reset(); }
+  void renew() { mass_.renew(); }
   /// Evaluates the right-hand side at a place with its velocity. Returns false if it is inadmissible.
   bool balance(const Place& at);
   /// Calls balance() and solves for a, a local array. Returns false if the place is inadmissible or the solve with the
@@ -29,13 +30,9 @@ class Acceleration {
 
  private:
   bool solve_consistent(double time, std::vector<double>& a);
-  void prepare_mass_system();
 
   const Model& model_;
-  std::shared_ptr<const LinearSolverFactory> linear_solver_;
-  std::unique_ptr<LinearSolverFactory> mass_solver_;  ///< of a mass that is applied without a matrix
-  std::unique_ptr<LinearSystem> mass_system_;
-  std::vector<double> scale_;  ///< see ScaledMass; empty if the mass is a matrix
+  MassSolver mass_;
   Balance forces_;
   std::vector<double> balance_;  ///< less the sum of forces: local, valid for owned entries
   std::vector<double> load_;     ///< less the load: scratch, local

@@ -361,6 +361,11 @@ double Integrator::error() {
   return local_error(model_, table_, states_, attempted_dt_, previous_);
 }
 
+const State& Integrator::attempted() const {
+  check_attempt();
+  return states_.back();
+}
+
 double Integrator::gap_ratio() const {
   check_attempt();
   return TermSums(model_).gap_ratio(way());

@@ -101,6 +101,8 @@ class Integrator {
   const Model& model() const { return model_; }
   const Table& table() const { return table_; }
   const State& state() const { return states_.front(); }
+  /// Returns the end of the attempted step, without histories; throws std::logic_error if there is none.
+  const State& attempted() const;
   double time() const { return states_.front().time; }
   /// Returns the number of operators and preconditioners that the stages share.
   std::size_t tangents() const { return solvers_.size(); }

@@ -67,6 +67,17 @@ const std::vector<CellMiddle>& cell_middles(int dimension) {
   return dimension == 2 ? quad : hex;
 }
 
+std::array<double, 3> direction_of(const Mesh& mesh, const TreeCell& cell, int axis) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::array<double, 3> sum{};
+  for (int bits = 0; bits < 1 << mesh.dimension; ++bits) {
+    const auto node = static_cast<std::size_t>(cell.corners[static_cast<std::size_t>(bits)]);
+    for (std::size_t i = 0; i < d; ++i)
+      sum[i] += ((bits >> axis & 1) != 0 ? 1 : -1) * mesh.coordinates[node * d + i];
+  }
+  return sum;
+}
+
 CellTree::CellTree(Mesh& mesh)
     : mesh_(mesh),
       blocks_(mesh.blocks),
@@ -153,20 +164,12 @@ CornerBox CellTree::box_of(const TreeCell& cell) const {
 
 /// Returns the halvings that a region asks of a cell that meets it, along each axis.
 std::array<int, 3> CellTree::asked_halvings(const TreeCell& cell, const RegionSearch& region) const {
-  const auto d = at(mesh_.dimension);
   std::array<int, 3> asked{};
-  for (int axis = 0; axis < mesh_.dimension; ++axis) {
-    std::array<double, 3> direction{};
-    for (const auto& [left, right] : edges_[at(axis)])
-      for (std::size_t i = 0; i < d; ++i)
-        direction[i] += mesh_.coordinates[at(cell.corners[at(right)]) * d + i] -
-                        mesh_.coordinates[at(cell.corners[at(left)]) * d + i];
-    if (region.splits_along(direction)) asked[at(axis)] = region.levels();
-  }
+  for (int axis = 0; axis < mesh_.dimension; ++axis)
+    if (region.splits_along(direction_of(mesh_, cell, axis))) asked[at(axis)] = region.levels();
   return asked;
 }
 
-/// Returns the axes along which a cell has too few halvings, of those the ones with the fewest.
 std::vector<int> CellTree::axes_to_halve(const TreeCell& cell, const std::array<int, 3>& wanted) const {
   std::vector<int> axes;
   int fewest = 1 << 20;
@@ -177,8 +180,8 @@ std::vector<int> CellTree::axes_to_halve(const TreeCell& cell, const std::array<
   return axes;
 }
 
-/// Returns the axes along which a leaf is to be halved for the regions that it meets, and notes these.
 std::vector<int> CellTree::wanted_axes(const TreeCell& cell, const std::vector<RegionSearch>& regions) {
+  met_.resize(regions.size(), 0);
   const CornerBox box = box_of(cell);
   std::array<int, 3> wanted{};
   for (std::size_t r = 0; r < regions.size(); ++r) {
@@ -272,32 +275,37 @@ double CellTree::forecast(const RegionSearch& region, std::size_t sample) {
   return all;
 }
 
-void CellTree::split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most) {
-  const auto refuse_many = [&] {
-    if (static_cast<long long>(cells_.size()) > 2 * most)
-      throw InputError(
-          fmt::format("the refined mesh has more than {} cells; use fewer levels or smaller regions", most));
-  };
-  met_.assign(regions.size(), 0);
+void CellTree::refuse_more_than(long long most) const {
+  if (static_cast<long long>(cells_.size()) > 2 * most)
+    throw InputError(
+        fmt::format("the refined mesh has more than {} cells; use fewer levels or smaller regions", most));
+}
+
+void CellTree::split(const Wish& wish, bool in_all_directions, long long most) {
   std::vector<int> open = leaves();
   while (!open.empty()) {
     const int cell = open.back();
     open.pop_back();
-    const std::vector<int> axes = wanted_axes(cells_[at(cell)], regions);
+    const std::vector<int> axes = wish(cells_[at(cell)]);
     if (axes.empty()) continue;
     const auto first = static_cast<int>(cells_.size());
     halve(cell, axes);
     for (int part = first; part < static_cast<int>(cells_.size()); ++part)
       if (cells_[at(part)].first_child < 0) open.push_back(part);
-    refuse_many();
+    refuse_more_than(most);
   }
+  while (balance(in_all_directions)) refuse_more_than(most);
+}
+
+void CellTree::split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most) {
+  met_.assign(regions.size(), 0);  // also of regions that no cell is compared with
+  const bool in_all =
+      std::all_of(regions.begin(), regions.end(), [](const auto& region) { return region.splits_all(); });
+  split([&](const TreeCell& cell) { return wanted_axes(cell, regions); }, in_all, most);
   for (std::size_t r = 0; r < regions.size(); ++r)
     if (met_[r] == 0)
       throw InputError(
           fmt::format("{}: no cell of the mesh meets the region; the mesh spans {}", names[r], span_in_words(mesh_)));
-  const bool in_all =
-      std::all_of(regions.begin(), regions.end(), [](const auto& region) { return region.splits_all(); });
-  while (balance(in_all)) refuse_many();
 }
 
 }  // namespace ixos

@@ -1,23 +1,18 @@
 /// Cells that are halved along their own axes, again and again.
 #pragma once
 #include <array>
+#include <functional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "mesh/mesh.hpp"
 #include "mesh/splitting/middle_nodes.hpp"
 #include "mesh/splitting/refined_region.hpp"
+#include "mesh/splitting/split_tree.hpp"
+#include "mesh/splitting/tree_cell.hpp"
 
 namespace ixos {
-
-/// A cell of a mesh, or a part of one. Corners stand in the order of bits: bit k tells the end along the cell's axis k.
-struct TreeCell {
-  int block, root;  ///< the cell of the mesh
-  std::array<int, 8> corners;
-  std::array<int, 3> halvings;         ///< along each axis
-  std::array<double, 3> lower, upper;  ///< its place in that cell, whose axes go from -1 to 1
-  int first_child = -1;                ///< two cells, one behind the other; -1: not split
-};
 
 /// A node of a quadratic cell that stands between two others of the cell.
 struct CellMiddle {
@@ -29,12 +24,23 @@ struct CellMiddle {
 /// cross it: a node in the middle of a face is between two pairs of others.
 const std::vector<CellMiddle>& cell_middles(int dimension);
 
+/// Returns a vector along a cell's axis, the sum of its edges [L0]; the third component is 0 in the plane.
+std::array<double, 3> direction_of(const Mesh& mesh, const TreeCell& cell, int axis);
+
 /// The cells of a mesh as trees whose leaves are the cells of a finer one. New nodes stand where the shape functions of
 /// the mesh's cells put them; those of quadratic cells are the nodes of the halves as far as they go.
 class CellTree {
  public:
   /// Adds nodes to the mesh, whose cells are all linear or all quadratic, and which must outlive the tree.
   explicit CellTree(Mesh& mesh);
+
+  /// Returns the axes along which a leaf is to be halved at once; none if it may stay.
+  using Wish = std::function<std::vector<int>(const TreeCell& leaf)>;
+
+  /// Splits leaves until the wish names no axis for any, no edge of a leaf has more than one node of others, in its
+  /// middle, and no two cross each other on a face. A leaf that is split for the others' sake alone is halved in all
+  /// directions if `in_all_directions`. Throws InputError if that makes more cells than `most`.
+  void split(const Wish& wish, bool in_all_directions, long long most);
 
   /// Splits leaves until each has the halvings of the regions that it meets, no edge of a leaf more than one node of
   /// others, in its middle, and no two cross each other on a face. Throws InputError if that makes more cells than
@@ -56,6 +62,12 @@ class CellTree {
   }
 
   int dimension() const { return mesh_.dimension; }
+  /// Returns the trees as a value.
+  SplitTree trees() const { return {mesh_.dimension, cells_, first_root_}; }
+  /// Returns the axes that `wanted` has more halvings along than the cell, of those the ones with the fewest.
+  std::vector<int> axes_to_halve(const TreeCell& cell, const std::array<int, 3>& wanted) const;
+  /// Returns the axes along which a leaf is to be halved for the regions that it meets, and notes these.
+  std::vector<int> wanted_axes(const TreeCell& cell, const std::vector<RegionSearch>& regions);
   MiddleNodes& middles() { return middles_; }
   /// Returns whether the node is a corner of a leaf, or was one before it was split.
   bool is_corner(int node) const { return static_cast<std::size_t>(node) < corner_.size() && corner_[at(node)] != 0; }
@@ -80,9 +92,8 @@ class CellTree {
   void bisect(int cell, int axis);
   CornerBox box_of(const TreeCell& cell) const;
   std::array<int, 3> asked_halvings(const TreeCell& cell, const RegionSearch& region) const;
-  std::vector<int> axes_to_halve(const TreeCell& cell, const std::array<int, 3>& wanted) const;
-  std::vector<int> wanted_axes(const TreeCell& cell, const std::vector<RegionSearch>& regions);
   bool balance(bool in_all_directions);
+  void refuse_more_than(long long most) const;
   std::set<std::array<int, 2>> crossing_edges();
   bool has_one_of(const std::set<std::array<int, 2>>& edges, const TreeCell& cell, int axis) const;
   bool has_two_on_an_edge(const TreeCell& cell, int axis);

@@ -138,12 +138,44 @@ class LeafMesh {
   std::vector<std::vector<int>> first_leaf_;  ///< by block and cell of the mesh before: its first leaf
 };
 
-/// Removes the nodes beside the corners of cells, which none has any more.
-void drop_middles(Mesh& mesh) {
+/// Removes the nodes beside the corners of cells, which none has any more. Returns the trees with the new numbers.
+SplitTree without_middles(Mesh& mesh, const SplitTree& trees) {
+  std::vector<int> number(at(mesh.nodes()), -1);
   const std::vector<std::string> notes = mesh.notes;
-  drop_unused_nodes(mesh);
+  const std::vector<int> before = drop_unused_nodes(mesh);
   mesh.notes = notes;
   mesh.linear_nodes = -1;
+  for (std::size_t node = 0; node < before.size(); ++node) number[at(before[node])] = static_cast<int>(node);
+  std::vector<TreeCell> cells = trees.cells();
+  for (TreeCell& cell : cells)
+    for (int bits = 0; bits < 1 << mesh.dimension; ++bits) cell.corners[at(bits)] = number[at(cell.corners[at(bits)])];
+  return trees.with(std::move(cells));
+}
+
+void check(const Mesh& mesh) {
+  if (mesh.plain_nodes >= 0) throw InputError("the mesh has enriched sides; refine it before it is enriched");
+  if (!mesh.ties.empty()) throw InputError("the mesh has tied nodes already; refine it before they are tied");
+  for (const ElementBlock& block : mesh.blocks)
+    if (!is_cube(block.type) && block.cells() > 0)
+      throw InputError(
+          fmt::format("block \"{}\": only quadrilaterals and hexahedra are refined; give a mesh of {} cells its size "
+                      "where it is made",
+                      block.name, cell_info(block.type).name));
+}
+
+/// Makes the mesh of the leaves of a tree, which grow(tree) splits.
+template <class Growth>
+SplitTree grown(Mesh& mesh, int order, const Growth& grow) {
+  const int nodes_before = mesh.nodes();
+  const bool curved = std::any_of(mesh.blocks.begin(), mesh.blocks.end(),
+                                  [](const ElementBlock& block) { return is_quadratic(block.type); });
+  CellTree tree(mesh);
+  grow(tree);
+  LeafMesh(mesh, tree, nodes_before, order).make();
+  SplitTree trees = tree.trees();
+  if (curved && order == 1) trees = without_middles(mesh, trees);
+  place_tied_nodes(mesh);
+  return trees;
 }
 
 /// Throws InputError before minutes pass and the memory is full. A region alone makes no more cells than all together.
@@ -162,15 +194,8 @@ void refuse_far_too_many(const Mesh& mesh, const RegionSearch& region, const std
 
 }  // namespace
 
-void refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order) {
-  if (mesh.plain_nodes >= 0) throw InputError("the mesh has enriched sides; refine it before it is enriched");
-  if (!mesh.ties.empty()) throw InputError("the mesh has tied nodes already; refine it before they are tied");
-  for (const ElementBlock& block : mesh.blocks)
-    if (!is_cube(block.type) && block.cells() > 0)
-      throw InputError(
-          fmt::format("block \"{}\": only quadrilaterals and hexahedra are refined; give a mesh of {} cells its size "
-                      "where it is made",
-                      block.name, cell_info(block.type).name));
+SplitTree refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order) {
+  check(mesh);
   std::vector<RegionSearch> searches;
   std::vector<std::string> names;
   for (const NamedRegion& region : regions) {
@@ -182,14 +207,26 @@ void refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order) {
     }
   }
   for (std::size_t r = 0; r < searches.size(); ++r) refuse_far_too_many(mesh, searches[r], names[r]);
-  const int nodes_before = mesh.nodes();
-  CellTree tree(mesh);
-  tree.split(searches, names, most_refined_cells);
-  const bool curved = std::any_of(mesh.blocks.begin(), mesh.blocks.end(),
-                                  [](const ElementBlock& block) { return is_quadratic(block.type); });
-  LeafMesh(mesh, tree, nodes_before, order).make();
-  if (curved && order == 1) drop_middles(mesh);
-  place_tied_nodes(mesh);
+  return grown(mesh, order, [&](CellTree& tree) { tree.split(searches, names, most_refined_cells); });
+}
+
+SplitTree split(Mesh& mesh, const CellSplits& splits, int order) {
+  check(mesh);
+  return grown(mesh, order, [&](CellTree& tree) {
+    const auto wish = [&](const TreeCell& cell) {
+      const int axis = splits.axis(cell);
+      return axis < 0 ? std::vector<int>() : std::vector<int>{axis};
+    };
+    tree.split(wish, true, most_refined_cells);
+  });
+}
+
+void split(Mesh& mesh, const Splitting& splitting, int order) {
+  if (!splitting.any()) return;
+  if (splitting.base != nullptr) *splitting.base = mesh;
+  SplitTree tree = splitting.splits != nullptr ? split(mesh, *splitting.splits, order)
+                                               : refine(mesh, splitting.regions, order);
+  if (splitting.tree != nullptr) *splitting.tree = std::move(tree);
 }
 
 }  // namespace ixos

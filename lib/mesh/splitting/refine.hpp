@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "mesh/splitting/cell_splits.hpp"
 #include "mesh/splitting/refined_region.hpp"
+#include "mesh/splitting/split_tree.hpp"
 
 namespace ixos {
 
@@ -26,8 +28,27 @@ constexpr long long most_refined_cells = 10'000'000;
 /// having them; another one gets the new nodes in the middle of two nodes of the set.
 ///
 /// `order`: that of the cells. 1 of a quadratic mesh leaves its corners: it gives the curved places of the new ones.
-/// Throws InputError, with the name, if a region is none of the mesh or meets no cell, and if the mesh is enriched, has
-/// ties, or would have more than most_refined_cells.
-void refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order);
+/// Returns the trees of the cells, whose leaves are those of the mesh. Throws InputError, with the name, if a region is
+/// none of the mesh or meets no cell, and if the mesh is enriched, has ties, or would have more than
+/// most_refined_cells.
+SplitTree refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order);
+
+/// Does the same for the splits of another mesh that was made of the same cells. The numbers of the new nodes depend on
+/// the splits alone.
+SplitTree split(Mesh& mesh, const CellSplits& splits, int order);
+
+/// How the cells of a scene's mesh are split.
+struct Splitting {
+  std::vector<NamedRegion> regions{};
+  const CellSplits* splits = nullptr;  ///< in place of the regions
+  /// If the mesh may change later: is set to the mesh before its cells are split.
+  Mesh* base = nullptr;
+  SplitTree* tree = nullptr;  ///< likewise, to the trees of its cells
+
+  bool any() const { return !regions.empty() || splits != nullptr || tree != nullptr; }
+};
+
+/// Splits the cells as asked; changes nothing if nothing is. Throws InputError as refine() does.
+void split(Mesh& mesh, const Splitting& splitting, int order);
 
 }  // namespace ixos

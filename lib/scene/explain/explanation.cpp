@@ -71,6 +71,11 @@ std::string refinements_and_ties(const SceneNode& mesh) {
   for (const SceneNode& own : mesh.sublist("Refine").sublists())
     text +=
         fmt::format("Refine {}: {} level{}\n", own.name(), own.count("Levels"), own.count("Levels") == 1 ? "" : "s");
+  if (const SceneNode adapt = mesh.sublist("Adapt"); adapt.count("Levels") > 0)
+    text += fmt::format(
+        "Adapt: up to {} levels, until the traction changes by at most {} of the law's strength over a face{}\n",
+        adapt.count("Levels"), adapt.number("Part"),
+        adapt.number("Strain") > 0 ? fmt::format(", and the gradient by {} at a cell", adapt.number("Strain")) : "");
   for (const auto& [list, what] : {std::pair("Ties", "Tie"), std::pair("Periodic", "Periodic sides")})
     for (const SceneNode& own : mesh.sublist(list).sublists())
       text += fmt::format("{} {}: the nodes of side set \"{}\" follow side set \"{}\"\n", what, own.name(),

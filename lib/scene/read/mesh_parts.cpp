@@ -138,8 +138,8 @@ void prepare(const SceneNode& node, int order, Mesh& mesh) {
   });
 }
 
-void split_and_map(const SceneNode& node, int order, const std::vector<NamedRegion>& regions, Mesh& mesh) {
-  if (!regions.empty()) at(node.path_of("Refine"), [&] { refine(mesh, regions, order); });
+void split_and_map(const SceneNode& node, int order, const Splitting& splitting, Mesh& mesh) {
+  at(node.path_of(splitting.splits != nullptr ? "Adapt" : "Refine"), [&] { split(mesh, splitting, order); });
   map_nodes(node.sublist("Map"), mesh);
   place_bubbles(mesh);
   place_tied_nodes(mesh);
@@ -154,23 +154,23 @@ int order_of(const Mesh& mesh) {
 }  // namespace
 
 Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order,
-                 const std::vector<NamedRegion>& regions) {
+                 const Splitting& splitting) {
   const MeshEntry& chosen = catalogue.chosen(node);
   // Parts of a curved cell lie on a curve that its quadratic form knows.
-  const bool curved = chosen.make_quadratic && (order == 2 || !regions.empty());
+  const bool curved = chosen.make_quadratic && (order == 2 || splitting.any());
   Mesh mesh = [&] {
     if (!curved) return catalogue.make(node);
     const SceneNode own = node.sublist(chosen.name);
     return at(own.path(), [&] { return chosen.make_quadratic(own); });
   }();
   prepare(node, order, mesh);
-  split_and_map(node, curved ? order : order_of(mesh), regions, mesh);
+  split_and_map(node, curved ? order : order_of(mesh), splitting, mesh);
   return mesh;
 }
 
-void apply_order_and_map(const SceneNode& node, int order, const std::vector<NamedRegion>& regions, Mesh& mesh) {
+void apply_order_and_map(const SceneNode& node, int order, const Splitting& splitting, Mesh& mesh) {
   prepare(node, order, mesh);
-  split_and_map(node, order_of(mesh), regions, mesh);
+  split_and_map(node, order_of(mesh), splitting, mesh);
 }
 
 std::vector<SceneNode> part_lists(const SceneNode& mesh) {

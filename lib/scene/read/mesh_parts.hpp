@@ -15,13 +15,13 @@ MeshEntry parts_mesh();
 const Catalogue<MeshEntry>& part_meshes();
 
 /// Makes the mesh that a list chooses from a catalogue, of cells of that order: 1 leaves those of a file as they are.
-/// Splits cells in the regions, and applies the list's map. Throws InputError with the list path.
+/// Splits cells, and applies the list's map. Throws InputError with the list path.
 Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order,
-                 const std::vector<NamedRegion>& regions = {});
+                 const Splitting& splitting = {});
 
-/// Raises the order of a mesh's cells to 2 if `order` is, splits cells in the regions, and applies the map of a list of
-/// the mesh. Throws InputError with the list path, also for cells that do not conform.
-void apply_order_and_map(const SceneNode& node, int order, const std::vector<NamedRegion>& regions, Mesh& mesh);
+/// Raises the order of a mesh's cells to 2 if `order` is, splits cells, and applies the map of a list of the mesh.
+/// Throws InputError with the list path, also for cells that do not conform.
+void apply_order_and_map(const SceneNode& node, int order, const Splitting& splitting, Mesh& mesh);
 
 /// Returns the lists that choose the meshes of the parts, or "Mesh" itself if it has no parts.
 std::vector<SceneNode> part_lists(const SceneNode& mesh);

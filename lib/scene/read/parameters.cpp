@@ -12,6 +12,7 @@
 #include "scene/read/interactions.hpp"
 #include "scene/read/materials.hpp"
 #include "scene/read/mesh_map.hpp"
+#include "scene/read/mesh_adaptation.hpp"
 #include "scene/read/mesh_refinement.hpp"
 #include "scene/read/mesh_sets.hpp"
 #include "scene/read/newton_options.hpp"
@@ -61,6 +62,7 @@ void add_mesh(List& list) {
                    "at most: further cells are split around the regions. Nodes of fine cells on edges "
                    "and faces of coarse ones follow the nodes of these.")
           .sublist(any_name));
+  declare_adaptation(list);
   declare_map(list.sublist("Map", false,
                            "Formulas that move the nodes, for graded meshes and for shapes that no generator has. Sets "
                            "refer to the new places."));

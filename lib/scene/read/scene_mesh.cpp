@@ -123,24 +123,26 @@ void prepare_drawings(Teuchos::ParameterList list, const std::string& scene_fold
   });
 }
 
-Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder, bool bubbles) {
+Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder, bool bubbles, Splitting splitting) {
   find_files(list, scene_folder);
   const SceneNode node(list, "Mesh");
-  Mesh mesh = mapped_mesh(meshes(), node, node.count(cell_order), refined_regions(node.sublist("Refine")));
+  splitting.regions = refined_regions(node.sublist("Refine"));
+  Mesh mesh = mapped_mesh(meshes(), node, node.count(cell_order), splitting);
   mesh.axisymmetric = is_axisymmetric(list);
   if (bubbles) add_bubbles(mesh);
   finish(node, mesh);
   return mesh;
 }
 
-Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given, bool bubbles) {
+Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given, bool bubbles, Splitting splitting) {
   given.axisymmetric = given.axisymmetric || is_axisymmetric(list);
   at("Mesh", [&] {
     check_arrays(given);
     refuse_repeated_cells(given);
   });
   const SceneNode node(list, "Mesh");
-  apply_order_and_map(node, node.count(cell_order), refined_regions(node.sublist("Refine")), given);
+  splitting.regions = refined_regions(node.sublist("Refine"));
+  apply_order_and_map(node, node.count(cell_order), splitting, given);
   if (bubbles) at("Mesh", [&] { add_bubbles(given); });
   finish(node, given);
   return given;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mesh/generators/entry.hpp"
+#include "mesh/splitting/refine.hpp"
 #include "units/unit_system.hpp"
 
 namespace ixos {
@@ -27,11 +28,13 @@ void prepare_drawings(Teuchos::ParameterList list, const std::string& scene_fold
 /// Makes the mesh of a validated "Mesh" list, with its order of cells and its map; it has passed check_cells(). Looks
 /// for a mesh file in the working folder, then in `scene_folder`. `bubbles`: quadratic cells get the nodes of those
 /// with bubbles, see raised_type(). Throws InputError with the list path.
-Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder, bool bubbles = false);
+/// `splitting`: how cells are split beside the list's own regions.
+Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder, bool bubbles = false,
+                Splitting splitting = {});
 
 /// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()), and applies order, map and
 /// sets of a validated "Mesh" list. Throws InputError with the list path.
-Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given, bool bubbles = false);
+Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given, bool bubbles = false, Splitting splitting = {});
 
 /// Returns whether a scene needs cells with bubbles where there are any: for the formulation Mean Dilatation, or for
 /// the lumped mass of explicit schemes. `scene` need not be complete.

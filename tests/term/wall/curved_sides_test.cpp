@@ -31,7 +31,8 @@ const Affine end{{{0.2, 0.4, -0.1}, {-0.25, 0.1, 0.3}, {0.05, -0.1, -0.2}}, {0.7
 
 /// The surface of a box, on this rank.
 struct Body {
-  Body(int dimension, ContactElement element) : mesh(test::box_part(dimension, element)), pattern(mesh) {}
+  Body(int dimension, ContactElement element)
+      : mesh(test::box_part(dimension, element)), pattern(mesh), from(nodal(start)), way(nodal(rate)), to(nodal(end)) {}
 
   /// Returns the field's nodal values, a local array. A derivative node's coordinates are derivatives.
   std::vector<double> nodal(const Affine& field) const {
@@ -47,6 +48,7 @@ struct Body {
 
   LocalMesh mesh;
   Pattern pattern;
+  std::vector<double> from, way, to;  ///< nodal values of the fields
 };
 
 /// Calls check(body, sides, b, q, i, X) for each lane i of each quadrature point q, which has the place X in the
@@ -87,8 +89,7 @@ TEST(CurvedSidesTest, EndsAreWhereTheMotionTakesThem) {
                 const std::array<double, 3>& x) {
     using Sides = std::decay_t<decltype(sides)>;
     using Ends = SideEnds<Sides::D>;
-    const std::vector<double> u0 = body.nodal(start), u1 = body.nodal(end);
-    Ends ends(sides, Ends::Of::Places, {u0.data(), nullptr, u1.data()});
+    Ends ends(sides, Ends::Of::Places, {body.from.data(), nullptr, body.to.data()});
     ends.set(b);
     const PackPoint from = ends.from(q), to = ends.to(q);
     for (std::size_t d = 0; d < Sides::D; ++d) {
@@ -106,9 +107,8 @@ TEST(CurvedSidesTest, PlacesOfTimePointsFollowTheRule) {
                 const std::array<double, 3>& x) {
     using Sides = std::decay_t<decltype(sides)>;
     using Ends = SideEnds<Sides::D>;
-    const std::vector<double> u0 = body.nodal(start), v = body.nodal(rate), u1 = body.nodal(end);
-    Ends straight(sides, Ends::Of::Places, {u0.data(), nullptr, u1.data()});
-    Ends bent(sides, Ends::Of::Places, {u0.data(), v.data(), u1.data()});
+    Ends straight(sides, Ends::Of::Places, {body.from.data(), nullptr, body.to.data()});
+    Ends bent(sides, Ends::Of::Places, {body.from.data(), body.way.data(), body.to.data()});
     straight.set(b);
     bent.set(b);
     const double xi = 0.3;
@@ -128,8 +128,7 @@ TEST(CurvedSidesTest, WithoutAStartThePlaceOfTheEndCounts) {
                 const std::array<double, 3>&) {
     using Sides = std::decay_t<decltype(sides)>;
     using Ends = SideEnds<Sides::D>;
-    const std::vector<double> u = body.nodal(end);
-    Ends ends(sides, Ends::Of::Places, {nullptr, nullptr, u.data()});
+    Ends ends(sides, Ends::Of::Places, {nullptr, nullptr, body.to.data()});
     ends.set(b);
     const PackPoint to = ends.to(q), at = ends.at(q, {1, 0, 0, 1, 1});
     for (std::size_t d = 0; d < 3; ++d) EXPECT_EQ(lane(at[d], i), lane(to[d], i));

@@ -1,0 +1,109 @@
+#include "adapt/front.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adapt/field_at.hpp"
+#include "interaction/gap_law.hpp"
+#include "mesh/cell_sides.hpp"
+#include "mesh/selection.hpp"
+
+namespace ixos {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+bool touches(const TreeCell& cell, int face) {
+  const std::size_t axis = at(face / 2);
+  return face % 2 == 0 ? cell.lower[axis] == -1 : cell.upper[axis] == 1;
+}
+
+/// Returns the face of the whole cell on which a side of a leaf lies: all its corners have one coordinate.
+int face_of(const SplitMesh& mesh, const TreeCell& leaf, const std::vector<int>& nodes) {
+  const int dimension = mesh.mesh().dimension;
+  for (int face = 0; face < 2 * dimension; ++face) {
+    int found = 0;
+    for (int bits = 0; bits < 1 << dimension; ++bits)
+      if ((bits >> (face / 2) & 1) == face % 2 &&
+          std::find(nodes.begin(), nodes.end(), leaf.corners[at(bits)]) != nodes.end())
+        ++found;
+    if (found == 1 << (dimension - 1)) return face;
+  }
+  return -1;
+}
+
+}  // namespace
+
+double traction_change(const GapLaw& law, double least, double largest) {
+  const auto traction = [&](double gap) { return static_cast<double>(law.traction(Pack(gap))[0]); };
+  const double peak = law.adhesion_gap(), strength = -traction(peak);
+  if (!(strength > 0)) return 0;
+  const double lowest = law.domain() == GapDomain::All ? least : std::max(least, 1e-3 * law.equilibrium_gap());
+  const auto attraction = [&](double gap) { return std::max(-traction(std::max(gap, lowest)), -strength); };
+  double low = attraction(least), high = low;
+  for (const double gap : {largest, std::clamp(peak, least, largest)}) {
+    low = std::min(low, attraction(gap));
+    high = std::max(high, attraction(gap));
+  }
+  return (high - low) / strength;
+}
+
+void Front::Range::add(double gap) {
+  least = std::min(least, gap);
+  largest = std::max(largest, gap);
+}
+
+Front::Front(const SplitMesh& mesh, const std::string& side_set, const GapLaw& law, std::vector<double> gaps)
+    : mesh_(mesh), law_(law), gaps_(std::move(gaps)) {
+  for (double& gap : gaps_)
+    if (std::isnan(gap)) gap = 0;
+  for (const Side& side : side_set_named(mesh.mesh(), side_set).sides) add(side);
+}
+
+/// Adds the gaps of a side to its leaf and to all cells around it.
+void Front::add(const Side& side) {
+  const SplitTree& tree = mesh_.tree();
+  const std::vector<int> nodes = nodes_of_side(mesh_.mesh(), side);
+  const TreeCell& leaf = tree.cell(mesh_.leaf_of({side.block, side.cell}));
+  const int face = face_of(mesh_, leaf, nodes);
+  if (face < 0 || !touches(leaf, face)) return;
+  for (int k = tree.root(leaf.block, leaf.root);;) {
+    Range& range = ranges_[{k, face}];
+    for (const int node : nodes) range.add(gaps_[at(node)]);
+    if (tree.is_leaf(k)) return;
+    const int child = tree.cell(k).first_child;
+    k = tree.cell(child).contains(leaf.lower, leaf.upper) ? child : child + 1;
+  }
+}
+
+Front::Range Front::range(const TreeCell& cell, int face) const {
+  const int around = mesh_.tree().around(cell);
+  const auto found = ranges_.find({around, face});
+  if (found == ranges_.end()) return {};
+  const TreeCell& old = mesh_.tree().cell(around);
+  const bool is_part = old.first_child < 0 && (cell.lower != old.lower || cell.upper != old.upper);
+  if (!is_part) return found->second;
+  Range range;
+  for (int bits = 0; bits < 1 << mesh_.mesh().dimension; ++bits) {
+    if ((bits >> (face / 2) & 1) != face % 2) continue;
+    RootPoint corner{cell.block, cell.root, {}};
+    for (int k = 0; k < mesh_.mesh().dimension; ++k)
+      corner.at[at(k)] = ((bits >> k & 1) != 0 ? cell.upper : cell.lower)[at(k)];
+    double gap = 0;
+    evaluate(mesh_, gaps_, 1, corner, &gap);
+    range.add(gap);
+  }
+  return range;
+}
+
+double Front::change(const TreeCell& cell) const {
+  double change = 0;
+  for (int face = 0; face < 2 * mesh_.mesh().dimension; ++face) {
+    if (!touches(cell, face)) continue;
+    const Range own = range(cell, face);
+    if (own.least <= own.largest) change = std::max(change, traction_change(law_, own.least, own.largest));
+  }
+  return change;
+}
+
+}  // namespace ixos

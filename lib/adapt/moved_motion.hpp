@@ -1,0 +1,25 @@
+/// Displacements and velocities of a body on another mesh.
+#pragma once
+#include <vector>
+
+#include "adapt/split_mesh.hpp"
+#include "model/model.hpp"
+#include "state/state.hpp"
+
+namespace ixos {
+
+/// Local arrays [L0, L0/T0].
+struct Motion {
+  std::vector<double> u, v;
+};
+
+/// Returns displacements and velocities on another mesh of the same unsplit cells. Where cells are split, both are the
+/// same functions; where they are joined, u takes the values at the nodes that stay, and v is projected with the mass:
+/// int N rho v over the body is kept (a quasi-static model has none). What is still missing of the linear and angular
+/// momentum of a part that is free, because its displacements have changed, or its places, is added as a rigid motion.
+/// A part is free if none of its nodes is held. Throws std::runtime_error if the mass system cannot be solved.
+/// Collective.
+Motion moved_motion(const SplitMesh& from, const Model& before, const State& state, const SplitMesh& to,
+                    const Model& after);
+
+}  // namespace ixos

@@ -1,0 +1,30 @@
+/// The splits of a mesh that follows its front.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "adapt/bulk.hpp"
+#include "adapt/front.hpp"
+#include "adapt/options.hpp"
+#include "adapt/split_mesh.hpp"
+#include "mesh/splitting/refine.hpp"
+
+namespace ixos {
+
+/// What a state asks of a mesh.
+struct Signs {
+  std::vector<Front> fronts{};          ///< of all surfaces, in one state or several
+  std::unique_ptr<BulkStrain> bulk{};   ///< null: the bulk asks for nothing
+};
+
+/// Returns whether some cell of the mesh has to be split: one that has fewer halvings than allowed, and a change above
+/// its bound.
+bool has_coarse_cells(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options);
+
+/// Returns the splits that the state asks for, from the unsplit cells on: cells are split while a change is above its
+/// bound, those that are split already while it is above AdaptOptions::keep times the bound, and those in the regions,
+/// and around all of these as split() does. `keep_all`: all that is split stays split. Throws InputError as refine().
+CellSplits wished_splits(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options,
+                         const std::vector<NamedRegion>& regions, bool keep_all);
+
+}  // namespace ixos

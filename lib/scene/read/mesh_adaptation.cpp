@@ -1,0 +1,93 @@
+#include "scene/read/mesh_adaptation.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "interaction/gap_law.hpp"
+#include "parameters/one_of.hpp"
+#include "parameters/options.hpp"
+#include "parameters/range_validator.hpp"
+
+namespace ixos {
+namespace {
+
+const char* const name = "Adapt";
+const char* const directions = "Directions";
+
+const Options<AdaptOptions>& options() {
+  static const Options<AdaptOptions> all =
+      Options<AdaptOptions>()
+          .add("Levels", &AdaptOptions::levels,
+               "Number of times that the edge of a cell may be halved, those of Refine included. With 0, the mesh "
+               "stays.",
+               between(0, 12))
+          .add("Part", &AdaptOptions::part,
+               "Largest change of the traction over a face, as part of the law's strength: a face is at most this part "
+               "of the local cohesive zone. Larger ones are halved.",
+               between(1e-3, 1.0))
+          .add("Strain", &AdaptOptions::strain,
+               "Largest jump of the displacement gradient at the corners of a cell, between the cell and the mean of "
+               "those around the corner [-]. With 0, cells are split for the faces alone.",
+               at_least(0))
+          .add("Keep", &AdaptOptions::keep,
+               "Part of a bound above which cells that are split stay split. It keeps meshes from changing to and fro.",
+               between(0.05, 0.95))
+          .add("Interval", &AdaptOptions::interval,
+               "Number of steps from one look for cells that are finer than needed to the next. Ixos looks for cells "
+               "that are too coarse after each step, and takes that step again on the finer mesh.",
+               at_least(1))
+          .add("Budget", &AdaptOptions::budget,
+               "Sum of the changes of energy by coarser cells, over the largest energy of the run, up to which cells are "
+               "joined again [-].",
+               at_least(0));
+  return all;
+}
+
+}  // namespace
+
+void declare_adaptation(Teuchos::ParameterList& mesh) {
+  Teuchos::ParameterList& list =
+      mesh.sublist(name, false,
+                   "A mesh that follows the front: cells are split where surfaces begin to feel each other, and joined "
+                   "again where they no longer do, while the run goes on.");
+  options().declare(list);
+  list.set(directions, "all",
+           "Directions along which Ixos splits cells. It halves a cell along the axes of the cell that are closest to "
+           "them.",
+           one_of({"all", "x", "y", "z", "xy", "xz", "yz"}));
+}
+
+AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<Material>& materials,
+                             const std::vector<SceneInteraction>& interactions) {
+  const SceneNode mesh = scene.sublist("Mesh"), node = mesh.sublist(name);
+  AdaptOptions result = options().read(node);
+  if (const std::string& axes = node.text(directions); axes != "all") result.directions = axes;
+  if (!result.on()) return result;
+  const auto refuse = [&](const std::string& what, const std::string& way) {
+    throw InputError(fmt::format("{}: a mesh that follows the front does not go with {}; {}", node.path(), what, way));
+  };
+  const std::string off = "set Levels to 0, or use Mesh/Refine";
+  for (const char* list : {"Ties", "Periodic"})
+    if (!mesh.sublist(list).sublists().empty()) refuse(mesh.path_of(list), off);
+  const std::vector<SceneNode> lists = scene.sublist("Materials").sublists();
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    if (!materials[i].branches.empty())
+      refuse(lists[i].path_of("Maxwell Branches") + ", whose history stays at the points of its cells", off);
+  bool has_front = result.strain > 0;
+  for (const SceneInteraction& interaction : interactions) {
+    const std::string path = interaction.node.path();
+    if (interaction.friction.type != FrictionType::None)
+      refuse(path + "/Friction, whose slip stays at the points of its faces", off);
+    if (interaction.law->has_history()) refuse(path + ", whose law has a history", off);
+    if (interaction.is_pair()) refuse(path + ", an interaction of two bodies", off);
+    if (interaction.element == ContactElement::Q1CH) refuse(path + "/Contact Element Q1CH", "choose Q1C4");
+    if (!interaction.factor_field.empty()) refuse(path + "/Factor Field", "give a Factor");
+    has_front = has_front || interaction.law->adhesion_gap() > 0;
+  }
+  if (!has_front)
+    throw InputError(fmt::format("{}: nothing tells where cells are split: the scene has no interaction, and Strain is 0",
+                                 node.path()));
+  return result;
+}
+
+}  // namespace ixos

@@ -1,0 +1,166 @@
+// Runs whose mesh follows the front.
+#include "run/mesh_follower.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "run/restart_fixture.hpp"
+#include "study/common/history_table.hpp"
+#include "support/refusal.hpp"
+
+namespace ixos::test {
+namespace {
+
+std::string adapt(int levels, const std::string& more = "") {
+  return list("Adapt", count("Levels", levels) + count("Interval", 4) + number("Budget", 1) + more);
+}
+
+/// A strip that is peeled off a wall at its right edge.
+std::string strip(const std::string& scheme, const std::string& mesh, double step, double end,
+                  const std::string& output = "", const std::string& element = "Q1C1") {
+  return list("Mesh",
+              word("Type", "Box") + list("Box", numbers("Lengths", {12, 0.5}) + counts("Divisions", {12, 1})) + mesh) +
+         list("Materials", list("Rubber", number("Density", 0.01))) +
+         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.6368}) +
+                                               number("Gamma L", 1) + number("Gamma W", 10) +
+                                               word("Contact Element", element))) +
+         list("Histories", list("Up", word("Type", "Ramp") + list("Ramp", number("Value", 2) + number("Length", 4)))) +
+         list("Boundary Conditions",
+              list("Pull", word("Node Set", "right") + word("Components", "y") + word("History", "Up")) +
+                  list("Guide", word("Node Set", "right") + word("Components", "x"))) +
+         list("Output", output + texts("Reactions", "{right}") + list("Probes", list("P", numbers("Point", {6, 0})))) +
+         list("Time Integrator", word("Type", scheme) + steps(step, end));
+}
+
+class MeshFollowerTest : public RestartTest {
+ protected:
+  HistoryTable table(const std::string& name) const { return HistoryTable(folder(name) + "/history.csv"); }
+};
+
+TEST_F(MeshFollowerTest, TheBalanceOfAConservingSchemeStaysClosed) {
+  const RunResult result = run_scene(strip("Average Vector Field", adapt(2), 0.05, 3), "run");
+  ASSERT_EQ(result.status, RunStatus::Completed) << result.reason;
+  EXPECT_GT(result.mesh_changes.count, 5);
+  EXPECT_GT(result.mesh_changes.repeated, 3);
+  EXPECT_GT(result.mesh_changes.count, result.mesh_changes.repeated);  // cells were joined, too
+  EXPECT_EQ(result.steps, 60);
+  world()->barrier();
+  const HistoryTable rows = table("run");
+  const std::vector<double>&total = rows.column("total_energy"), &work = rows.column("external_work"),
+        &adapted = rows.column("adapted_energy");
+  for (std::size_t k = 0; k < rows.rows(); ++k)
+    EXPECT_NEAR(total[k] - work[k] - adapted[k], total[0], 1e-11 * result.largest_energy) << k;
+  EXPECT_NE(adapted.back(), 0);
+  EXPECT_LT(std::abs(adapted.back()), 0.02 * result.largest_energy);
+  EXPECT_LT(result.max_energy_error, 1e-11 * result.largest_energy);
+  EXPECT_GT(work.back(), 0.1);
+}
+
+TEST_F(MeshFollowerTest, AllSchemesGoOnBitForBitOnThePresentMesh) {
+  for (const char* scheme : {"Average Vector Field", "Newmark", "Bathe Composite", "Gautam-Sauer Composite",
+                             "Energy-Momentum", "Generalized-Alpha", "Static"}) {
+    SCOPED_TRACE(scheme);
+    const std::string output = checkpoints(7, 100) + count("Fields Interval", 5);
+    const RunResult whole = expect_goes_on(strip(scheme, adapt(2), 0.05, 1, output), {7, 14});
+    EXPECT_GT(whole.mesh_changes.count, 1);
+  }
+}
+
+TEST_F(MeshFollowerTest, EveryElementFollows) {
+  for (const char* element : {"Q1C2", "Q1C4", "Q2C2", "Q2C4"}) {
+    SCOPED_TRACE(element);
+    const std::string order = std::string(element).rfind("Q2", 0) == 0 ? count("Cell Order", 2) : "";
+    const RunResult result =
+        run_scene(strip("Average Vector Field", adapt(2) + order, 0.05, 1.5, "", element), element);
+    ASSERT_EQ(result.status, RunStatus::Completed) << result.reason;
+    EXPECT_GT(result.mesh_changes.count, 1);
+    EXPECT_LT(result.max_energy_error, 1e-11 * result.largest_energy);
+  }
+}
+
+// The adaptive run has the force of the mesh that is fine everywhere, with a part of its unknowns.
+TEST_F(MeshFollowerTest, TheForceIsThatOfTheFineMesh) {
+  const std::string everywhere = list("Refine", list("All", count("Levels", 3) + numbers("Upper", {100, 100})));
+  const RunResult fine = run_scene(strip("Newmark", everywhere, 0.05, 3), "fine"),
+                  coarse = run_scene(strip("Newmark", "", 0.05, 3), "coarse"),
+                  follows = run_scene(strip("Newmark", adapt(3, number("Part", 0.125) + number("Strain", 0.02)), 0.05, 3),
+                                      "follows");
+  world()->barrier();
+  const std::vector<double> exact = table("fine").column("reaction_right_y"),
+                            rough = table("coarse").column("reaction_right_y"),
+                            own = table("follows").column("reaction_right_y");
+  double error = 0, error_of_coarse = 0, size = 0;
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    error += (own[k] - exact[k]) * (own[k] - exact[k]);
+    error_of_coarse += (rough[k] - exact[k]) * (rough[k] - exact[k]);
+    size += exact[k] * exact[k];
+  }
+  EXPECT_LT(std::sqrt(error / size), 0.03);
+  EXPECT_GT(error_of_coarse, 25 * error);
+  EXPECT_LT(follows.mesh_changes.most_unknowns, 1200);  // of 13 * 8 + 1 by 9 nodes
+}
+
+TEST_F(MeshFollowerTest, WhatIsNotAskedForIsNotThere) {
+  run_scene(strip("Newmark", "", 0.05, 0.2), "plain");
+  run_scene(strip("Newmark", adapt(0), 0.05, 0.2), "off");
+  world()->barrier();
+  EXPECT_EQ(history_rows(folder("plain")), history_rows(folder("off")));
+}
+
+TEST_F(MeshFollowerTest, ABudgetKeepsCellsSplit) {
+  const std::string none = list("Adapt", count("Levels", 2) + count("Interval", 4) + number("Budget", 0));
+  const RunResult kept = run_scene(strip("Newmark", none, 0.05, 3), "kept"),
+                  joined = run_scene(strip("Newmark", adapt(2), 0.05, 3), "joined");
+  EXPECT_EQ(kept.mesh_changes.coarsening, 0);
+  EXPECT_EQ(kept.mesh_changes.count, kept.mesh_changes.repeated);
+  EXPECT_GT(joined.mesh_changes.coarsening, 0);
+  EXPECT_GT(kept.mesh_changes.most_unknowns, joined.mesh_changes.most_unknowns);
+}
+
+TEST_F(MeshFollowerTest, TheFirstMeshIsThatOfTheFirstState) {
+  // The wall is tilted, so that the left half of the strip begins in the range of the law.
+  std::string tilted = strip("Newmark", adapt(2), 0.05, 0.1);
+  const std::string point = numbers("Point", {0, -0.6368});
+  tilted.replace(tilted.find(point), point.size(), point + numbers("Normal", {-0.1, 1}));
+  tilted.replace(tilted.find(numbers("Lengths", {12, 0.5})), numbers("Lengths", {12, 0.5}).size(),
+                 numbers("Lengths", {12, 0.5}) + numbers("Lower", {-12, 0}));
+  const std::string probe = numbers("Point", {6, 0});
+  tilted.replace(tilted.find(probe), probe.size(), numbers("Point", {-6, 0}));
+  const Simulation first(scene(tilted), world());
+  const std::shared_ptr<Simulation> finer = on_initial_mesh(first);
+  ASSERT_TRUE(finer);
+  EXPECT_GT(finer->model().mesh().global_cells, first.model().mesh().global_cells);
+  EXPECT_FALSE(on_initial_mesh(*finer));
+  EXPECT_EQ(finer->integrator().time(), 0);
+}
+
+TEST_F(MeshFollowerTest, FramesAreASeriesOfFiles) {
+  const RunResult result =
+      run_scene(strip("Newmark", adapt(2), 0.05, 1.5, count("Fields Interval", 3)), "frames");
+  EXPECT_GT(result.mesh_changes.count, 1);
+  world()->barrier();
+  if (world()->getRank() != 0) return;
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(folder("frames"))) {
+    const std::string file = entry.path().filename();
+    if (file.rfind("fields", 0) == 0) ++files;
+    EXPECT_EQ(file.rfind("effective-", 0), std::string::npos) << "the scene is the same";
+  }
+  EXPECT_GT(files, 1);
+  EXPECT_LE(files, (result.mesh_changes.count + 1) * world()->getSize());
+}
+
+TEST_F(MeshFollowerTest, ACheckpointOfAnotherKindIsRefused) {
+  const std::string output = checkpoints(5, 100);
+  run_scene(strip("Newmark", "", 0.05, 0.5, output), "stays");
+  EXPECT_NE(refusal(strip("Newmark", adapt(2), 0.05, 0.5, output), "stays", checkpoint("stays", 5))
+                .find("its run had a mesh that stays, but that of the scene follows the front: Mesh/Adapt"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace ixos::test

@@ -1,0 +1,74 @@
+// The list "Mesh/Adapt": settings, and scenes that a mesh which changes cannot have.
+#include "scene/read/mesh_adaptation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "scene/simulation.hpp"
+#include "support/refusal.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::count;
+using test::list;
+using test::number;
+using test::numbers;
+using test::word;
+
+std::string block(const std::string& adapt, const std::string& wall, const std::string& material = "",
+                  const std::string& mesh = "") {
+  return list("Mesh", word("Type", "Box") + list("Adapt", adapt) + mesh) +
+         list("Materials", list("Rubber", number("Density", 1) + material)) +
+         (wall.empty() ? ""
+                       : list("Interactions",
+                              list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -2}) + wall))) +
+         test::time_integrator("Newmark", 0.1, 1);
+}
+
+std::string refusal(const std::string& scene) {
+  return test::refusal([&] { Simulation(test::scene(scene), test::world()); });
+}
+
+TEST(MeshAdaptationTest, SettingsAreRead) {
+  const Simulation off(test::scene(block("", " ")), test::world());
+  EXPECT_FALSE(off.adaptation().on());
+  EXPECT_THROW(off.split_mesh(), std::logic_error);
+  const Simulation on(test::scene(block(count("Levels", 3) + number("Part", 0.1) + word("Directions", "x"), " ")),
+                      test::world());
+  EXPECT_EQ(on.adaptation().levels, 3);
+  EXPECT_EQ(on.adaptation().part, 0.1);
+  EXPECT_EQ(on.adaptation().directions, "x");
+  EXPECT_EQ(on.split_mesh().tree().splits().size(), 0U);
+}
+
+TEST(MeshAdaptationTest, WhatDoesNotGoOnIsRefused) {
+  const std::string on = count("Levels", 2);
+  const auto expect = [&](const std::string& scene, const std::string& words) {
+    test::expect_contains(refusal(scene), "Mesh/Adapt: ");
+    test::expect_contains(refusal(scene), words);
+  };
+  expect(block(on, ""), "nothing tells where cells are split");
+  expect(block(on, " ", list("Maxwell Branches", numbers("Relaxation Times", {2}) + numbers("Moduli", {0.4}))),
+         "Materials/Rubber/Maxwell Branches");
+  expect(block(on, list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.5))),
+         "Interactions/Wall/Friction");
+  expect(block(on, word("Contact Element", "Q1CH")), "choose Q1C4");
+  expect(block(on, " ") + list("Stages", list("A", "") + list("B", "")), "does not go with Stages");
+  EXPECT_NE(refusal(block(count("Levels", 13), " ")), "");
+  EXPECT_EQ(refusal(block(on + number("Strain", 0.1), "")), "");
+}
+
+TEST(MeshAdaptationTest, OtherCellsAreRefused) {
+  Mesh triangle;
+  triangle.coordinates = {0, 0, 1, 0, 0, 1};
+  triangle.blocks = {{"body", CellType::Tri3, {0, 1, 2}}};
+  const std::string scene = list("Mesh", list("Adapt", count("Levels", 1) + number("Strain", 0.1))) +
+                            list("Materials", list("Rubber", number("Density", 1))) +
+                            test::time_integrator("Newmark", 0.1, 1);
+  test::expect_contains(test::refusal([&] { Simulation(test::scene(scene), triangle, test::world()); }),
+                        "only quadrilaterals and hexahedra are refined");
+}
+
+}  // namespace
+}  // namespace ixos
