@@ -156,8 +156,9 @@ class Fields:
     too: "displacementX". A cell of a block without the field has NaN.
     """
 
-    def __init__(self, folder: str | pathlib.Path):
-        self.path = pathlib.Path(folder) / "fields.e"
+    def __init__(self, folder: str | pathlib.Path, number: int = 1):
+        """number: that of the first file, if the mesh has changed: see meshes()."""
+        self.path = pathlib.Path(folder) / ("fields.e" if number == 1 else f"fields-{number}.e")
         if not _parts_of(self.path):
             raise FileError(f"the file {self.path} does not exist, nor does a series {self.path}.N.0, ... (the scene "
                             "must set Output/Fields Interval to write one)")
@@ -166,15 +167,19 @@ class Fields:
         self.points, self.cells, self.mesh_nodes, self.blocks = first.points, first.cells, first.mesh_nodes, first.blocks
         self.node_sets, self.side_set_nodes = first.node_sets, first.side_set_nodes
         self.dimension = self.points.shape[1]
-        for number in itertools.count(2):
-            path = self.path.parent / f"fields-{number}.e"
+        self.next_number = None  # of the file with another mesh
+        for later_number in itertools.count(number + 1):
+            path = self.path.parent / f"fields-{later_number}.e"
             try:
                 later = _Series(path) if _parts_of(path) else None
             except FileError:  # the run still writes it, or was killed then
                 if (self.path.parent / "summary.json").is_file():
                     raise
                 break
-            if later is None or not later.has_mesh_of(first):  # an exchanged simulation may have another mesh
+            if later is None:
+                break
+            if not later.has_mesh_of(first):  # an exchanged simulation, or a mesh that follows the front
+                self.next_number = later_number
                 break
             self._series.append(later)
         self.times = np.concatenate([series.times for series in self._series])
@@ -183,6 +188,14 @@ class Fields:
         self._columns = {}
         for series in reversed(self._series):
             self._columns.update(series.columns)
+
+    @classmethod
+    def meshes(cls, folder: str | pathlib.Path) -> list["Fields"]:
+        """Returns the fields on each mesh of a run whose mesh changes, one after the other."""
+        found = [cls(folder)]
+        while found[-1].next_number is not None:
+            found.append(cls(folder, found[-1].next_number))
+        return found
 
     def nodes(self, name: str) -> np.ndarray:
         """Returns the numbers of the nodes of a node set or a side set of the scene: "bottom"."""

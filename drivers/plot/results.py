@@ -57,14 +57,14 @@ class Run:
         return bool(np.isfinite(self[name]).any())
 
     def energy_error(self):
-        """|E - E0 - external work + dissipated energy + energy released by jumps to other equilibria|, row by row; of the
-        last three what came after the first row, where a restart in another folder has a past."""
+        """|E - E0 - external work + dissipated energy + energy released by jumps to other equilibria - energy that changes
+        of the mesh added|, row by row; of all but E what came after the first row, where a restart in another folder has
+        a past."""
         def since_first(name):
-            return np.nan_to_num(self[name] - np.nan_to_num(self._first[name]))
+            return np.nan_to_num(self[name] - np.nan_to_num(self._first[name])) if name in self.columns else 0.0
 
-        released = since_first("released_energy") if "released_energy" in self.columns else 0.0
         return np.abs(self["total_energy"] - self.initial_energy - since_first("external_work") +
-                      since_first("dissipated_energy") + released)
+                      since_first("dissipated_energy") + since_first("released_energy") - since_first("adapted_energy"))
 
     def reactions(self):
         """(name, times, values) of each reaction column, at the times that the values belong to."""

@@ -11,8 +11,8 @@ namespace ixos {
 void evaluate(const SplitMesh& mesh, const std::vector<double>& field, std::size_t count, const RootPoint& point,
               double* value);
 
-/// Returns a field of one mesh at the nodes of another one with the same unsplit cells: the same function wherever cells
-/// have only been split, and plain ones. Zero at nodes without a place.
+/// Returns a field of one mesh at the nodes of another one with the same unsplit cells: the same function wherever
+/// cells have only been split, and plain ones. Zero at nodes without a place.
 std::vector<double> interpolated(const SplitMesh& from, const std::vector<double>& field, std::size_t count,
                                  const SplitMesh& to);
 

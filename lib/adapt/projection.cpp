@@ -84,8 +84,7 @@ class Projection {
       ones.fill(1);
       std::array<std::array<double, D>, Element::nodes> slope;
       double share = 1;  // of the cell's reference volume
-      for (std::size_t i = 0; i < D; ++i)
-        share *= (piece.upper[i] - piece.lower[i]) / (leaf.upper[i] - leaf.lower[i]);
+      for (std::size_t i = 0; i < D; ++i) share *= (piece.upper[i] - piece.lower[i]) / (leaf.upper[i] - leaf.lower[i]);
       for (std::size_t q = 0; q < rule.size(); ++q) {
         RootPoint point{leaf.block, leaf.root, {}};
         for (std::size_t i = 0; i < D; ++i)

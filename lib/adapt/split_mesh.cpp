@@ -144,8 +144,7 @@ void SplitMesh::find_places() {
         for (int a = plain ? 0 : own; a < (plain ? own : n); ++a) {
           std::optional<RootPoint>& place = places_[at(block.nodes[cell_entry(cell, n, a)])];
           if (place) continue;
-          if (const auto xi = reference_place(block.type, at(a)))
-            place = root_point({static_cast<int>(b), cell}, *xi);
+          if (const auto xi = reference_place(block.type, at(a))) place = root_point({static_cast<int>(b), cell}, *xi);
         }
     }
 }

@@ -44,8 +44,8 @@ class SplitMesh {
   /// The root coordinates of a cell's first corner, and what the reference coordinates from -1 to 1 add.
   struct Axes {
     std::array<double, 3> origin{};
-    std::array<int, 3> axis{};         ///< by reference axis: that of the root
-    std::array<double, 3> length{};    ///< its length there, with a sign
+    std::array<int, 3> axis{};       ///< by reference axis: that of the root
+    std::array<double, 3> length{};  ///< its length there, with a sign
   };
   Axes axes_of(const Cell& cell) const;
   void find_cells();

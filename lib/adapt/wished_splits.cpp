@@ -25,8 +25,8 @@ std::array<int, 3> allowed(const AdaptOptions& options, int dimension, const Dir
     const std::array<double, 3> along = direction(axis);
     const auto largest =
         std::max_element(along.begin(), along.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    const bool splits = options.directions.empty() ||
-                        options.directions.find("xyz"[largest - along.begin()]) != std::string::npos;
+    const bool splits =
+        options.directions.empty() || options.directions.find("xyz"[largest - along.begin()]) != std::string::npos;
     if (splits) most[at(axis)] = options.levels;
   }
   return most;
@@ -43,8 +43,8 @@ bool may_be_halved(const TreeCell& cell, const std::array<int, 3>& most) {
 bool has_coarse_cells(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options) {
   for (const TreeCell& cell : mesh.tree().cells()) {
     if (cell.first_child >= 0) continue;
-    const auto most = allowed(options, mesh.mesh().dimension,
-                              [&](int axis) { return direction_of(mesh.mesh(), cell, axis); });
+    const auto most =
+        allowed(options, mesh.mesh().dimension, [&](int axis) { return direction_of(mesh.mesh(), cell, axis); });
     if (may_be_halved(cell, most) && is_above(signs, cell, options, 1)) return true;
   }
   return false;
@@ -61,8 +61,7 @@ CellSplits wished_splits(const SplitMesh& mesh, const Signs& signs, const AdaptO
     if (const std::vector<int> axes = tree.wanted_axes(cell, searches); !axes.empty()) return axes;
     const int split_before = before.axis(cell);
     if (keep_all && split_before >= 0) return {split_before};
-    const auto most =
-        allowed(options, trial.dimension, [&](int axis) { return direction_of(trial, cell, axis); });
+    const auto most = allowed(options, trial.dimension, [&](int axis) { return direction_of(trial, cell, axis); });
     std::vector<int> axes = tree.axes_to_halve(cell, most);
     if (axes.empty() || !is_above(signs, cell, options, split_before >= 0 ? options.keep : 1)) return {};
     return axes;

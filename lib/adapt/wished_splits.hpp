@@ -11,10 +11,10 @@
 
 namespace ixos {
 
-/// What a state asks of a mesh.
+/// The numbers of a state by which cells are split.
 struct Signs {
-  std::vector<Front> fronts{};          ///< of all surfaces, in one state or several
-  std::unique_ptr<BulkStrain> bulk{};   ///< null: the bulk asks for nothing
+  std::vector<Front> fronts{};         ///< of all surfaces, in one state or several
+  std::unique_ptr<BulkStrain> bulk{};  ///< null: the bulk asks for nothing
 };
 
 /// Returns whether some cell of the mesh has to be split: one that has fewer halvings than allowed, and a change above

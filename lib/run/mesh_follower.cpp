@@ -28,8 +28,7 @@ Signs signs_of(const Simulation& simulation, const State& state, bool has_bulk) 
         whole_field(local, comm, report.interaction(interaction.node.name()).gap(), 1, mesh.mesh().nodes()));
   if (has_bulk && simulation.adaptation().strain > 0)
     signs.bulk = std::make_unique<BulkStrain>(
-        mesh,
-        whole_field(local, comm, state.u, static_cast<std::size_t>(mesh.mesh().dimension), mesh.mesh().nodes()));
+        mesh, whole_field(local, comm, state.u, static_cast<std::size_t>(mesh.mesh().dimension), mesh.mesh().nodes()));
   return signs;
 }
 
@@ -40,8 +39,8 @@ std::shared_ptr<Simulation> MeshFollower::moved_to(const CellSplits& splits) {
   next->resumes();
   Integrator& integrator = next->integrator();
   const Integrator& before = simulation_.integrator();
-  Motion motion = moved_motion(simulation_.split_mesh(), simulation_.model(), before.state(), next->split_mesh(),
-                               next->model());
+  Motion motion =
+      moved_motion(simulation_.split_mesh(), simulation_.model(), before.state(), next->split_mesh(), next->model());
   integrator.initialize(std::move(motion.u), std::move(motion.v), before.time());
   integrator.continue_works(before, 0);
   return next;

@@ -76,12 +76,12 @@ class RunFiles {
   std::unique_ptr<FieldRecorder> fields_;
   Recording rows_, frames_;
   RowCounts counts_;
-  long exchanges_ = 0;        ///< of simulations before this one
-  long frame_files_ = 0;      ///< before the present one
-  bool recorded_ = true;      ///< has the present state a row?
-  bool framed_ = true;        ///< and a frame?
+  long exchanges_ = 0;         ///< of simulations before this one
+  long frame_files_ = 0;       ///< before the present one
+  bool recorded_ = true;       ///< has the present state a row?
+  bool framed_ = true;         ///< and a frame?
   bool frames_begun_ = false;  ///< has the present file of frames been made?
-  FieldLength field_length_;  ///< in the folder of the checkpoint that was loaded
+  FieldLength field_length_;   ///< in the folder of the checkpoint that was loaded
 };
 
 }  // namespace ixos

@@ -35,10 +35,10 @@
 #include "scene/read/interactions.hpp"
 #include "scene/read/materials.hpp"
 #include "scene/read/maxwell_branches.hpp"
-#include "scene/read/newton_options.hpp"
-#include "scene/read/obstacle_files.hpp"
 #include "scene/read/mesh_adaptation.hpp"
 #include "scene/read/mesh_refinement.hpp"
+#include "scene/read/newton_options.hpp"
+#include "scene/read/obstacle_files.hpp"
 #include "scene/read/scene_mesh.hpp"
 #include "scene/read/scene_units.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
@@ -82,12 +82,12 @@ std::vector<std::string> columns_of_run(const Simulation& simulation) {
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder, const GivenHistories& given)
-    : Simulation(std::make_shared<Plan>(
-                     Plan{Stages(scene, given), [folder](const List& list) { return with_files(list, folder); },
-                          [folder](List& list, bool bubbles, const Splitting& splitting) {
-                            return scene_mesh(list, folder, bubbles, splitting);
-                          },
-                          [folder](const List& list) { prepare_drawings(list, folder); }, given}),
+    : Simulation(std::make_shared<Plan>(Plan{Stages(scene, given),
+                                             [folder](const List& list) { return with_files(list, folder); },
+                                             [folder](List& list, bool bubbles, const Splitting& splitting) {
+                                               return scene_mesh(list, folder, bubbles, splitting);
+                                             },
+                                             [folder](const List& list) { prepare_drawings(list, folder); }, given}),
                  comm, {}, {}) {}
 
 Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given)

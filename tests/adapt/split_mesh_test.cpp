@@ -38,8 +38,7 @@ TEST(SplitMeshTest, EachNodeIsWhereItsPlaceIs) {
       ASSERT_TRUE(mesh.places()[node]);
       std::array<double, 3> place{};
       evaluate(mesh, mesh.mesh().coordinates, d, *mesh.places()[node], place.data());
-      for (std::size_t i = 0; i < d; ++i)
-        EXPECT_NEAR(place[i], mesh.mesh().coordinates[node * d + i], 1e-14) << node;
+      for (std::size_t i = 0; i < d; ++i) EXPECT_NEAR(place[i], mesh.mesh().coordinates[node * d + i], 1e-14) << node;
     }
   });
 }
@@ -81,7 +80,8 @@ TEST(CellSplitsTest, TheyMakeTheSameMeshAgain) {
 }
 
 TEST(CellSplitsTest, OtherTextsAreRefused) {
-  for (const char* text : {"1 2 3", "0 0 0 0 0 0 0 0 3", "0 0 0 0 0 0 0 0 1 7", "0 0 0 0 0 0 0 -1 1", "a b c d e f g h i"})
+  for (const char* text :
+       {"1 2 3", "0 0 0 0 0 0 0 0 3", "0 0 0 0 0 0 0 0 1 7", "0 0 0 0 0 0 0 -1 1", "a b c d e f g h i"})
     EXPECT_EQ(test::refusal([&] { CellSplits::of_text(text); }), "\"" + std::string(text) + "\" is no split of a cell");
 }
 

@@ -26,9 +26,9 @@ TEST(FrontTest, TheChangeOfTractionIsThatOfTheLaw) {
   EXPECT_NEAR(traction_change(*law, rest, 100), 1, 1e-5);  // the peak lies between
   EXPECT_NEAR(traction_change(*law, peak, 2 * peak), 1 - attraction(2 * peak) / strength, 1e-14);
   EXPECT_EQ(traction_change(*law, 1.5 * peak, 1.5 * peak), 0);
-  EXPECT_NEAR(traction_change(*law, 0.5 * rest, peak), 2, 1e-14);           // pressure counts up to the strength
-  EXPECT_EQ(traction_change(*law, 0.3 * rest, 0.5 * rest), 0);              // no front where all is pressed together
-  EXPECT_NEAR(traction_change(*law, -1, peak), 2, 1e-14);                   // whatever is on the other side
+  EXPECT_NEAR(traction_change(*law, 0.5 * rest, peak), 2, 1e-14);  // pressure counts up to the strength
+  EXPECT_EQ(traction_change(*law, 0.3 * rest, 0.5 * rest), 0);     // no front where all is pressed together
+  EXPECT_NEAR(traction_change(*law, -1, peak), 2, 1e-14);          // whatever is on the other side
 }
 
 /// Gaps at the bottom that grow with x.

@@ -217,6 +217,25 @@ class FieldsTest(ScriptTest):
         (folder / "summary.json").unlink()  # killed while it wrote
         self.assertEqual(len(result_files.Fields(folder).times), len(late) - last)
 
+    def test_a_mesh_that_follows_the_front_has_files_of_its_own(self):
+        folder = self.folder / "follows"
+        simulate(folder, ["Mesh/Type=Box", "Mesh/Box/Lengths={200, 10}", "Mesh/Box/Lower={0, 0.254709287789268}",
+                          "Mesh/Box/Divisions={40, 2}", "Mesh/Adapt/Levels=2", "Output/Fields Interval=10",
+                          "Output/Fields Time Interval=0", "Time Integrator/Time Step Control/Final Time=20",
+                          "Time Integrator/Type=Average Vector Field"], scene="strip.xml")
+        run, meshes = Run(folder), result_files.Fields.meshes(folder)
+        self.assertGreater(len(meshes), 1)
+        self.assertEqual(len(meshes), len(list(folder.glob("fields*.e"))))
+        self.assertEqual(run.summary["elements"], sum(len(pieces) for pieces in meshes[-1].blocks.values()) -
+                         3 * sum(len(pieces) for name, pieces in meshes[-1].blocks.items() if "contact" in name) // 4)
+        self.assertGreater(len(meshes[-1].points), len(meshes[0].points))
+        times = np.concatenate([fields.times for fields in meshes])
+        np.testing.assert_allclose(times, np.arange(21), atol=1e-12)
+        total = np.concatenate([fields.totals["total_energy"] for fields in meshes])
+        np.testing.assert_array_equal(total, run["total_energy"][np.searchsorted(run["time"], times - 1e-9)])
+        self.assertLess(run.energy_error().max(), 1e-11)
+        self.assertGreater(abs(run["adapted_energy"][-1]), 1e-9)
+
     @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")
     def test_the_reader_on_ioss_joins_tensors_too(self):
         simulate(self.folder / "cube", [*CUBE, "Output/Fields={displacement, stress, principal_stress}"])

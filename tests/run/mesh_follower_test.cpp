@@ -25,9 +25,9 @@ std::string strip(const std::string& scheme, const std::string& mesh, double ste
   return list("Mesh",
               word("Type", "Box") + list("Box", numbers("Lengths", {12, 0.5}) + counts("Divisions", {12, 1})) + mesh) +
          list("Materials", list("Rubber", number("Density", 0.01))) +
-         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.6368}) +
-                                               number("Gamma L", 1) + number("Gamma W", 10) +
-                                               word("Contact Element", element))) +
+         list("Interactions",
+              list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.6368}) + number("Gamma L", 1) +
+                               number("Gamma W", 10) + word("Contact Element", element))) +
          list("Histories", list("Up", word("Type", "Ramp") + list("Ramp", number("Value", 2) + number("Length", 4)))) +
          list("Boundary Conditions",
               list("Pull", word("Node Set", "right") + word("Components", "y") + word("History", "Up")) +
@@ -87,8 +87,8 @@ TEST_F(MeshFollowerTest, TheForceIsThatOfTheFineMesh) {
   const std::string everywhere = list("Refine", list("All", count("Levels", 3) + numbers("Upper", {100, 100})));
   const RunResult fine = run_scene(strip("Newmark", everywhere, 0.05, 3), "fine"),
                   coarse = run_scene(strip("Newmark", "", 0.05, 3), "coarse"),
-                  follows = run_scene(strip("Newmark", adapt(3, number("Part", 0.125) + number("Strain", 0.02)), 0.05, 3),
-                                      "follows");
+                  follows = run_scene(
+                      strip("Newmark", adapt(3, number("Part", 0.125) + number("Strain", 0.02)), 0.05, 3), "follows");
   world()->barrier();
   const std::vector<double> exact = table("fine").column("reaction_right_y"),
                             rough = table("coarse").column("reaction_right_y"),
@@ -139,8 +139,7 @@ TEST_F(MeshFollowerTest, TheFirstMeshIsThatOfTheFirstState) {
 }
 
 TEST_F(MeshFollowerTest, FramesAreASeriesOfFiles) {
-  const RunResult result =
-      run_scene(strip("Newmark", adapt(2), 0.05, 1.5, count("Fields Interval", 3)), "frames");
+  const RunResult result = run_scene(strip("Newmark", adapt(2), 0.05, 1.5, count("Fields Interval", 3)), "frames");
   EXPECT_GT(result.mesh_changes.count, 1);
   world()->barrier();
   if (world()->getRank() != 0) return;

@@ -72,8 +72,7 @@ std::array<double, 3> direction_of(const Mesh& mesh, const TreeCell& cell, int a
   std::array<double, 3> sum{};
   for (int bits = 0; bits < 1 << mesh.dimension; ++bits) {
     const auto node = static_cast<std::size_t>(cell.corners[static_cast<std::size_t>(bits)]);
-    for (std::size_t i = 0; i < d; ++i)
-      sum[i] += ((bits >> axis & 1) != 0 ? 1 : -1) * mesh.coordinates[node * d + i];
+    for (std::size_t i = 0; i < d; ++i) sum[i] += ((bits >> axis & 1) != 0 ? 1 : -1) * mesh.coordinates[node * d + i];
   }
   return sum;
 }
@@ -277,8 +276,7 @@ double CellTree::forecast(const RegionSearch& region, std::size_t sample) {
 
 void CellTree::refuse_more_than(long long most) const {
   if (static_cast<long long>(cells_.size()) > 2 * most)
-    throw InputError(
-        fmt::format("the refined mesh has more than {} cells; use fewer levels or smaller regions", most));
+    throw InputError(fmt::format("the refined mesh has more than {} cells; use fewer levels or smaller regions", most));
 }
 
 void CellTree::split(const Wish& wish, bool in_all_directions, long long most) {

@@ -224,8 +224,8 @@ SplitTree split(Mesh& mesh, const CellSplits& splits, int order) {
 void split(Mesh& mesh, const Splitting& splitting, int order) {
   if (!splitting.any()) return;
   if (splitting.base != nullptr) *splitting.base = mesh;
-  SplitTree tree = splitting.splits != nullptr ? split(mesh, *splitting.splits, order)
-                                               : refine(mesh, splitting.regions, order);
+  SplitTree tree =
+      splitting.splits != nullptr ? split(mesh, *splitting.splits, order) : refine(mesh, splitting.regions, order);
   if (splitting.tree != nullptr) *splitting.tree = std::move(tree);
 }
 

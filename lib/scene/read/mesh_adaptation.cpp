@@ -37,7 +37,8 @@ const Options<AdaptOptions>& options() {
                "that are too coarse after each step, and takes that step again on the finer mesh.",
                at_least(1))
           .add("Budget", &AdaptOptions::budget,
-               "Sum of the changes of energy by coarser cells, over the largest energy of the run, up to which cells are "
+               "Sum of the changes of energy by coarser cells, over the largest energy of the run, up to which cells "
+               "are "
                "joined again [-].",
                at_least(0));
   return all;
@@ -48,8 +49,8 @@ const Options<AdaptOptions>& options() {
 void declare_adaptation(Teuchos::ParameterList& mesh) {
   Teuchos::ParameterList& list =
       mesh.sublist(name, false,
-                   "A mesh that follows the front: cells are split where surfaces begin to feel each other, and joined "
-                   "again where they no longer do, while the run goes on.");
+                   "A mesh that follows the front: during the run, cells are split where surfaces begin to feel each "
+                   "other, and joined again where they no longer do.");
   options().declare(list);
   list.set(directions, "all",
            "Directions along which Ixos splits cells. It halves a cell along the axes of the cell that are closest to "
@@ -85,8 +86,8 @@ AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<Material>
     has_front = has_front || interaction.law->adhesion_gap() > 0;
   }
   if (!has_front)
-    throw InputError(fmt::format("{}: nothing tells where cells are split: the scene has no interaction, and Strain is 0",
-                                 node.path()));
+    throw InputError(fmt::format(
+        "{}: nothing tells where cells are split: the scene has no interaction, and Strain is 0", node.path()));
   return result;
 }
 

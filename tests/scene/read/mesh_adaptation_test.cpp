@@ -20,9 +20,9 @@ std::string block(const std::string& adapt, const std::string& wall, const std::
                   const std::string& mesh = "") {
   return list("Mesh", word("Type", "Box") + list("Adapt", adapt) + mesh) +
          list("Materials", list("Rubber", number("Density", 1) + material)) +
-         (wall.empty() ? ""
-                       : list("Interactions",
-                              list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -2}) + wall))) +
+         (wall.empty()
+              ? ""
+              : list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -2}) + wall))) +
          test::time_integrator("Newmark", 0.1, 1);
 }
 
