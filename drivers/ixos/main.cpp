@@ -67,8 +67,8 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
 }
 
 void check_restart(const ixos::Simulation& simulation, const std::string& file, bool speaks) {
-  const auto stage = ixos::stage_of_checkpoint(simulation, file);
-  const ixos::Restart restart(stage ? *stage : simulation, file);
+  const auto other = ixos::simulation_of_checkpoint(simulation, file);
+  const ixos::Restart restart(other ? *other : simulation, file);
   if (!speaks) return;
   ixos::console::say("{} is sound and fits the scene.\n", ixos::printable(restart.path()));
   for (const std::string& note : restart.notes()) ixos::console::say("{}\n", ixos::printable(note));

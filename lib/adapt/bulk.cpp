@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <string>
 
 #include "base/small_matrix.hpp"
 #include "fem/jacobian.hpp"
@@ -43,12 +45,17 @@ int halvings(const TreeCell& cell) { return cell.halvings[0] + cell.halvings[1] 
 
 }  // namespace
 
-BulkStrain::BulkStrain(const SplitMesh& mesh, const std::vector<double>& u)
-    : mesh_(mesh), jumps_(mesh.tree().cells().size(), 0.0) {
+BulkStrain::BulkStrain(const SplitMesh& mesh, const std::vector<double>& u, int directions)
+    : mesh_(mesh), directions_(directions), jumps_(mesh.tree().cells().size(), 0.0) {
   const Mesh& own = mesh.mesh();
   const int corners = 1 << own.dimension;
-  std::vector<Gradient> sums(at(own.nodes()), Gradient{}), middles;
-  std::vector<double> counts(at(own.nodes()), 0.0);
+  std::vector<Gradient> middles;
+  std::map<std::string, std::vector<Gradient>> sums;  // by name of the block: materials may differ
+  std::map<std::string, std::vector<double>> counts;
+  for (const ElementBlock& block : own.blocks) {
+    sums[block.name].assign(at(own.nodes()), Gradient{});
+    counts[block.name].assign(at(own.nodes()), 0.0);
+  }
   const auto for_each_corner = [&](const auto& visit) {
     std::size_t number = 0;
     for (std::size_t b = 0; b < own.blocks.size(); ++b)
@@ -59,13 +66,16 @@ BulkStrain::BulkStrain(const SplitMesh& mesh, const std::vector<double>& u)
   };
   for_each_corner([&](std::size_t number, const SplitMesh::Cell& cell, std::size_t node, int a) {
     if (a == 0) middles.push_back(middle_gradient(own, own.blocks[at(cell.block)], cell.cell, u));
-    for (std::size_t i = 0; i < 9; ++i) sums[node][i] += middles[number][i];
-    counts[node] += 1;
+    const std::string& name = own.blocks[at(cell.block)].name;
+    for (std::size_t i = 0; i < 9; ++i) sums[name][node][i] += middles[number][i];
+    counts[name][node] += 1;
   });
   for_each_corner([&](std::size_t number, const SplitMesh::Cell& cell, std::size_t node, int) {
     double squares = 0;
+    const std::string& name = own.blocks[at(cell.block)].name;
+    const double count = counts[name][node];
     for (std::size_t i = 0; i < 9; ++i) {
-      const double jump = sums[node][i] / counts[node] - middles[number][i];
+      const double jump = sums[name][node][i] / count - middles[number][i];
       squares += jump * jump;
     }
     double& largest = jumps_[at(mesh.leaf_of(cell))];
@@ -76,7 +86,7 @@ BulkStrain::BulkStrain(const SplitMesh& mesh, const std::vector<double>& u)
 double BulkStrain::in(int k, const TreeCell& cell) const {
   const TreeCell& own = mesh_.tree().cell(k);
   if (own.first_child >= 0) return std::max(in(own.first_child, cell), in(own.first_child + 1, cell));
-  return std::ldexp(jumps_[at(k)], (halvings(own) - halvings(cell)) / mesh_.mesh().dimension);
+  return jumps_[at(k)] * std::exp2(static_cast<double>(halvings(own) - halvings(cell)) / directions_);
 }
 
 double BulkStrain::jump(const TreeCell& cell) const { return in(mesh_.tree().around(cell), cell); }

@@ -34,10 +34,15 @@ int face_of(const SplitMesh& mesh, const TreeCell& leaf, const std::vector<int>&
 
 }  // namespace
 
+double strength(const GapLaw& law) {
+  const double attraction = -static_cast<double>(law.traction(Pack(law.adhesion_gap()))[0]);
+  return attraction > 0 ? attraction : 0;
+}
+
 double traction_change(const GapLaw& law, double least, double largest) {
   const auto traction = [&](double gap) { return static_cast<double>(law.traction(Pack(gap))[0]); };
-  const double peak = law.adhesion_gap(), strength = -traction(peak);
-  if (!(strength > 0)) return 0;
+  const double peak = law.adhesion_gap(), strength = ixos::strength(law);
+  if (strength == 0) return 0;
   const double lowest = law.domain() == GapDomain::All ? least : std::max(least, 1e-3 * law.equilibrium_gap());
   const auto attraction = [&](double gap) { return std::max(-traction(std::max(gap, lowest)), -strength); };
   double low = attraction(least), high = low;
@@ -70,7 +75,7 @@ void Front::add(const Side& side) {
   for (int k = tree.root(leaf.block, leaf.root);;) {
     Range& range = ranges_[{k, face}];
     for (const int node : nodes) range.add(gaps_[at(node)]);
-    if (tree.is_leaf(k)) return;
+    if (tree.is_leaf(k)) return leaves_.push_back(k);
     const int child = tree.cell(k).first_child;
     k = tree.cell(child).contains(leaf.lower, leaf.upper) ? child : child + 1;
   }

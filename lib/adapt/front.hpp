@@ -1,10 +1,7 @@
 /// Where surfaces begin to feel each other: the change of a law's traction over faces.
 #pragma once
-#include <array>
-#include <cstddef>
 #include <limits>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +11,9 @@
 namespace ixos {
 
 class GapLaw;
+
+/// Returns the largest attraction of a law [E0]; 0 for a law that attracts nowhere.
+double strength(const GapLaw& law);
 
 /// Returns the largest change of the traction between two gaps in a range, over the largest attraction of the law.
 /// Pressure counts up to that attraction: where surfaces are pressed together there is no front. 0 for a law that
@@ -30,6 +30,8 @@ class Front {
   /// Returns the largest traction_change() of the cell's faces on the surface; 0 if it has none. The local cohesive
   /// zone is as many faces long as this number goes into 1.
   double change(const TreeCell& cell) const;
+  /// Returns the cells of the mesh with a face on the surface, by their numbers in the tree; a cell may come twice.
+  const std::vector<int>& leaves() const { return leaves_; }
 
  private:
   struct Range {
@@ -45,6 +47,7 @@ class Front {
   const GapLaw& law_;
   std::vector<double> gaps_;  ///< zero away from the surface
   std::map<Face, Range> ranges_;
+  std::vector<int> leaves_;
 };
 
 }  // namespace ixos

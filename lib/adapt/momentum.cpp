@@ -3,7 +3,7 @@
 #include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cmath>
 #include <set>
 
 #include "mesh/connected_parts.hpp"
@@ -56,18 +56,22 @@ class Parts {
   const std::set<int>& parts() const { return parts_; }
   const RigidMotions& motions() const { return motions_; }
 
-  /// Returns the parts that no condition holds. Collective.
-  std::vector<int> free() const {
-    std::vector<int> free;
-    const Constraints& constraints = model_.constraints();
-    for (const int part : parts_) {
-      double held = 0;
-      for (const int dof : constraints.dofs())
-        if (part_[at(dof) / d_] == part) held = 1;
-      if (!constraints.planes().empty()) held = 1;
-      if (model_.space().maximum(held) == 0) free.push_back(part);
+  /// Returns the rigid motions of a part that its supports allow. Collective.
+  std::vector<std::size_t> allowed(int part, const std::array<double, 3>& centre) const {
+    std::vector<std::size_t> allowed;
+    for (std::size_t k = 0; k < motions_.count(); ++k) {
+      const std::vector<double> v = rigid(part, k, centre);
+      std::vector<double> kept = v;
+      for (const int dof : model_.constraints().dofs()) kept[at(dof)] = 0;
+      model_.constraints().planes().project(kept.data(), model_.mesh().owned_nodes);
+      double largest = 0, lost = 0;
+      for (std::size_t i = 0; i < at(model_.space().owned()); ++i) {
+        largest = std::max(largest, std::abs(v[i]));
+        lost = std::max(lost, std::abs(v[i] - kept[i]));
+      }
+      if (model_.space().maximum(lost) <= 1e-12 * model_.space().maximum(largest)) allowed.push_back(k);
     }
-    return free;
+    return allowed;
   }
 
   /// Returns the mean place of a part's nodes. Collective.
@@ -123,23 +127,24 @@ class Parts {
 void restore_momenta(const Model& before, const Mesh& mesh_before, const State& state, const Model& after,
                      const Mesh& mesh, const std::vector<double>& u, std::vector<double>& v) {
   const Parts old(before, mesh_before, state.u), now(after, mesh, u);
-  const auto n = static_cast<int>(now.motions().count());
-  for (const int part : now.free()) {
+  for (const int part : now.parts()) {
     const std::array<double, 3> centre = now.centre(part);
+    const std::vector<std::size_t> motions = now.allowed(part, centre);
     const std::vector<double> wanted = old.momenta(part, centre, state.v), has = now.momenta(part, centre, v);
-    std::vector<double> missing(wanted.size()), matrix;
-    for (std::size_t k = 0; k < wanted.size(); ++k) missing[k] = wanted[k] - has[k];
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
+    std::vector<double> missing, matrix;
+    for (const std::size_t k : motions) missing.push_back(wanted[k] - has[k]);
+    for (const std::size_t k : motions) {
       const std::vector<double> column = now.momenta(part, centre, now.rigid(part, k, centre));
-      matrix.insert(matrix.end(), column.begin(), column.end());
+      for (const std::size_t other : motions) matrix.push_back(column[other]);
     }
-    std::vector<int> pivots(wanted.size());
+    const auto n = static_cast<int>(motions.size());
+    std::vector<int> pivots(motions.size());
     int info = 0;
-    Teuchos::LAPACK<int, double>().GESV(n, 1, matrix.data(), n, pivots.data(), missing.data(), n, &info);
+    if (n > 0) Teuchos::LAPACK<int, double>().GESV(n, 1, matrix.data(), n, pivots.data(), missing.data(), n, &info);
     if (info != 0) continue;  // a part without mass
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
-      const std::vector<double> rigid = now.rigid(part, k, centre);
-      for (std::size_t i = 0; i < v.size(); ++i) v[i] += missing[k] * rigid[i];
+    for (std::size_t m = 0; m < motions.size(); ++m) {
+      const std::vector<double> rigid = now.rigid(part, motions[m], centre);
+      for (std::size_t i = 0; i < v.size(); ++i) v[i] += missing[m] * rigid[i];
     }
   }
 }

@@ -1,12 +1,12 @@
 #include "adapt/moved_motion.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "adapt/field_at.hpp"
 #include "adapt/momentum.hpp"
 #include "adapt/projection.hpp"
 #include "adapt/whole_field.hpp"
+#include "base/error.hpp"
 #include "time/mass_solver.hpp"
 
 namespace ixos {
@@ -28,7 +28,7 @@ void project(const SplitMesh& from, const std::vector<double>& before, const Spl
     model.mass()->divide(missing.data(), change.data());
     space.update_ghosts(change.data());
   } else if (!MassSolver(model, nullptr).solve(std::move(missing), change.data())) {
-    throw std::runtime_error("the velocities cannot be projected to the other mesh");
+    throw InputError("the system of the mass is not solved, by which velocities go to the other mesh");
   }
   for (std::size_t i = 0; i < v.size(); ++i) v[i] += change[i];
 }
@@ -38,18 +38,19 @@ void project(const SplitMesh& from, const std::vector<double>& before, const Spl
 Motion moved_motion(const SplitMesh& from, const Model& before, const State& state, const SplitMesh& to,
                     const Model& after) {
   const auto d = static_cast<std::size_t>(to.mesh().dimension);
-  const auto on_other = [&](const std::vector<double>& field, std::vector<double>& old, std::vector<double>& now) {
+  std::vector<double> old;
+  const auto on_other = [&](const std::vector<double>& field) {
     old = whole_field(before.mesh(), before.space().comm(), field, d, from.mesh().nodes());
-    now = interpolated(from, old, d, to);
-    std::vector<double> local = local_field(after.mesh(), now, d);
+    std::vector<double> local = local_field(after.mesh(), interpolated(from, old, d, to), d);
     after.space().interpolate_tied(local.data());
     return local;
   };
   Motion motion;
-  std::vector<double> old, now;
-  motion.u = on_other(state.u, old, now);
-  motion.v = on_other(state.v, old, now);
+  motion.u = on_other(state.u);
+  motion.v = on_other(state.v);
   if (after.mass() == nullptr) return motion;
+  // What tied nodes have now is what their masters give them.
+  const std::vector<double> now = whole_field(after.mesh(), after.space().comm(), motion.v, d, to.mesh().nodes());
   project(from, old, to, after, now, motion.v);
   restore_momenta(before, from.mesh(), state, after, to.mesh(), motion.u, motion.v);
   return motion;

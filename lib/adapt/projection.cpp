@@ -9,6 +9,7 @@
 #include "fem/cell_info.hpp"
 #include "fem/jacobian.hpp"
 #include "fem/quadrature.hpp"
+#include "fem/revolved.hpp"
 #include "fem/ties.hpp"
 #include "fem/with_element.hpp"
 
@@ -63,11 +64,30 @@ class Projection {
       const TreeCell& whole = from_.tree().cell(around);
       const bool is_same = whole.lower == leaf.lower && whole.upper == leaf.upper;
       const bool are_plain = !is_enriched(before.type) && !is_enriched(block.type);
-      if (are_plain || (is_same && before.type == block.type && before.tied == block.tied)) return;
+      const bool is_same_function = are_plain || (is_same && before.type == block.type && before.tied == block.tied);
+      if (is_same_function && !follows_others(block, local_cell)) return;
     }
     std::vector<Box> pieces;
     collect(from_.tree(), around, {leaf.lower, leaf.upper}, pieces);
     for (const Box& piece : pieces) integrate(block, local_cell, cell, density, piece);
+  }
+
+  /// Returns whether a tied node of the cell has other values than the field before: cells beside it were joined.
+  bool follows_others(const LocalBlock& block, int local_cell) const {
+    const LocalMesh& mesh = model_.mesh();
+    const auto d = at(mesh.dimension);
+    const int n = nodes_per_cell(block.type);
+    for (int a = 0; a < n; ++a) {
+      const int node = block.nodes[cell_entry(local_cell, n, a)];
+      if (!mesh.is_tied(node)) continue;
+      const auto original = at(mesh.original_ids[at(node)]);
+      if (!to_.places()[original]) continue;
+      std::array<double, 3> before{};
+      evaluate(from_, v_, d, *to_.places()[original], before.data());
+      for (std::size_t i = 0; i < d; ++i)
+        if (before[i] != interpolated_[original * d + i]) return true;
+    }
+    return false;
   }
 
   void integrate(const LocalBlock& block, int local_cell, const SplitMesh::Cell& cell, double density,
@@ -94,7 +114,8 @@ class Projection {
         std::copy_n(place.begin(), D, xi.begin());
         evaluate_tied<Element>(block.tied, xi, shape, slope);
         double volume = std::abs(determinant(jacobian<D>(model_.mesh().coordinates, nodes, ones, slope)));
-        if (model_.mesh().axisymmetric) volume *= ring(nodes, shape);
+        if constexpr (D == 2)
+          if (model_.mesh().axisymmetric) volume *= circumference(model_.mesh().coordinates, nodes, ones, shape);
         std::array<double, 3> difference{}, now{};
         evaluate(from_, v_, D, point, difference.data());
         evaluate(to_, interpolated_, D, point, now.data());
@@ -104,15 +125,6 @@ class Projection {
             missing_[at(nodes[a]) * D + i] += weight * shape[a] * (difference[i] - now[i]);
       }
     });
-  }
-
-  /// Returns 2 pi R.
-  template <std::size_t N>
-  double ring(const int* nodes, const std::array<double, N>& shape) const {
-    constexpr double pi = 3.14159265358979323846;
-    double radius = 0;
-    for (std::size_t a = 0; a < N; ++a) radius += shape[a] * model_.mesh().coordinates[at(nodes[a]) * 2];
-    return 2 * pi * radius;
   }
 
   const SplitMesh& from_;

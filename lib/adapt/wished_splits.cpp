@@ -1,9 +1,8 @@
 #include "adapt/wished_splits.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "fem/corner_bits.hpp"
 #include "mesh/splitting/cell_tree.hpp"
 
 namespace ixos {
@@ -17,18 +16,15 @@ bool is_above(const Signs& signs, const TreeCell& cell, const AdaptOptions& opti
   return signs.bulk && options.strain > 0 && signs.bulk->jump(cell) > share * options.strain;
 }
 
-/// Returns the halvings that a cell may have along each axis.
-template <class Direction>
-std::array<int, 3> allowed(const AdaptOptions& options, int dimension, const Direction& direction) {
+/// Returns the halvings that parts of a cell of the unsplit mesh may have along each axis.
+std::array<int, 3> allowed(const AdaptOptions& options, const Mesh& base, const TreeCell& part) {
+  const ElementBlock& block = base.blocks[at(part.block)];
+  TreeCell whole = part;
+  for (int bits = 0; bits < 1 << base.dimension; ++bits)
+    whole.corners[at(bits)] = block.nodes[cell_entry(part.root, nodes_per_cell(block.type), corner_bits(bits))];
   std::array<int, 3> most{};
-  for (int axis = 0; axis < dimension; ++axis) {
-    const std::array<double, 3> along = direction(axis);
-    const auto largest =
-        std::max_element(along.begin(), along.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-    const bool splits =
-        options.directions.empty() || options.directions.find("xyz"[largest - along.begin()]) != std::string::npos;
-    if (splits) most[at(axis)] = options.levels;
-  }
+  for (int axis = 0; axis < base.dimension; ++axis)
+    if (is_along(direction_of(base, whole, axis), options.directions)) most[at(axis)] = options.levels;
   return most;
 }
 
@@ -40,13 +36,13 @@ bool may_be_halved(const TreeCell& cell, const std::array<int, 3>& most) {
 
 }  // namespace
 
-bool has_coarse_cells(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options) {
-  for (const TreeCell& cell : mesh.tree().cells()) {
-    if (cell.first_child >= 0) continue;
-    const auto most =
-        allowed(options, mesh.mesh().dimension, [&](int axis) { return direction_of(mesh.mesh(), cell, axis); });
-    if (may_be_halved(cell, most) && is_above(signs, cell, options, 1)) return true;
-  }
+bool has_coarse_faces(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options) {
+  for (const Front& front : signs.fronts)
+    for (const int leaf : front.leaves()) {
+      const TreeCell& cell = mesh.tree().cell(leaf);
+      if (!(front.change(cell) > options.part)) continue;
+      if (may_be_halved(cell, allowed(options, mesh.base(), cell))) return true;
+    }
   return false;
 }
 
@@ -61,8 +57,7 @@ CellSplits wished_splits(const SplitMesh& mesh, const Signs& signs, const AdaptO
     if (const std::vector<int> axes = tree.wanted_axes(cell, searches); !axes.empty()) return axes;
     const int split_before = before.axis(cell);
     if (keep_all && split_before >= 0) return {split_before};
-    const auto most = allowed(options, trial.dimension, [&](int axis) { return direction_of(trial, cell, axis); });
-    std::vector<int> axes = tree.axes_to_halve(cell, most);
+    std::vector<int> axes = tree.axes_to_halve(cell, allowed(options, mesh.base(), cell));
     if (axes.empty() || !is_above(signs, cell, options, split_before >= 0 ? options.keep : 1)) return {};
     return axes;
   };

@@ -17,9 +17,9 @@ struct Signs {
   std::unique_ptr<BulkStrain> bulk{};  ///< null: the bulk asks for nothing
 };
 
-/// Returns whether some cell of the mesh has to be split: one that has fewer halvings than allowed, and a change above
-/// its bound.
-bool has_coarse_cells(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options);
+/// Returns whether some face of the mesh is too coarse: its cell has fewer halvings than allowed, and the traction
+/// changes by more than its bound.
+bool has_coarse_faces(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options);
 
 /// Returns the splits that the state asks for, from the unsplit cells on: cells are split while a change is above its
 /// bound, those that are split already while it is above AdaptOptions::keep times the bound, and those in the regions,

@@ -45,6 +45,14 @@ class Handover final : public MemoryRecord {
   const DofSpace& space_;
 };
 
+/// Returns kinetic, elastic and interaction energy [E0 L0^D].
+double total_energy(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const StateReport report(model, simulation.integrator().state());
+  return report.momenta().kinetic_energy + report.elastic_energy() +
+         (model.has_interactions() ? report.energy(Part::Interaction) : 0.0);
+}
+
 void add_velocities(Simulation& simulation) {
   Integrator& integrator = simulation.integrator();
   State state = integrator.state();
@@ -54,13 +62,6 @@ void add_velocities(Simulation& simulation) {
 }
 
 }  // namespace
-
-double total_energy(const Simulation& simulation) {
-  const Model& model = simulation.model();
-  const StateReport report(model, simulation.integrator().state());
-  return report.momenta().kinetic_energy + report.elastic_energy() +
-         (model.has_interactions() ? report.energy(Part::Interaction) : 0.0);
-}
 
 void hand_over(Simulation& from, Simulation& to) {
   MemoryRecord::Values values;

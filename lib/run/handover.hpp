@@ -10,7 +10,4 @@ namespace ixos {
 /// the state is not admissible there, or if a prescribed displacement would jump. Collective.
 void hand_over(Simulation& from, Simulation& to);
 
-/// Returns kinetic, elastic and interaction energy [E0 L0^D]. Collective.
-double total_energy(const Simulation& simulation);
-
 }  // namespace ixos

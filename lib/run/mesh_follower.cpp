@@ -1,5 +1,7 @@
 #include "run/mesh_follower.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,7 +11,6 @@
 #include "adapt/wished_splits.hpp"
 #include "base/error.hpp"
 #include "model/state_report.hpp"
-#include "run/handover.hpp"
 
 namespace ixos {
 namespace {
@@ -19,48 +20,87 @@ namespace {
 Signs signs_of(const Simulation& simulation, const State& state, bool has_bulk) {
   Signs signs;
   const SplitMesh& mesh = simulation.split_mesh();
+  const AdaptOptions& options = simulation.adaptation();
   const LocalMesh& local = simulation.model().mesh();
   const Comm& comm = simulation.model().space().comm();
+  const int dimension = mesh.mesh().dimension, nodes = mesh.mesh().nodes();
   const StateReport report(simulation.model(), state);
   for (const SceneInteraction& interaction : simulation.interactions())
-    signs.fronts.emplace_back(
-        mesh, interaction.side_set, *interaction.law,
-        whole_field(local, comm, report.interaction(interaction.node.name()).gap(), 1, mesh.mesh().nodes()));
-  if (has_bulk && simulation.adaptation().strain > 0)
+    signs.fronts.emplace_back(mesh, interaction.side_set, *interaction.law,
+                              whole_field(local, comm, report.interaction(interaction.node.name()).gap(), 1, nodes));
+  if (has_bulk && options.strain > 0)
     signs.bulk = std::make_unique<BulkStrain>(
-        mesh, whole_field(local, comm, state.u, static_cast<std::size_t>(mesh.mesh().dimension), mesh.mesh().nodes()));
+        mesh, whole_field(local, comm, state.u, static_cast<std::size_t>(dimension), nodes),
+        options.directions.empty() ? dimension : static_cast<int>(options.directions.size()));
   return signs;
+}
+
+struct Energies {
+  double total = 0, largest = 0;  ///< the sum, and the largest magnitude, of kinetic, elastic and interaction energy
+};
+
+Energies energies_of(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const StateReport report(model, simulation.integrator().state());
+  Energies result;
+  for (const double energy : {report.momenta().kinetic_energy, report.elastic_energy(),
+                              model.has_interactions() ? report.energy(Part::Interaction) : 0.0}) {
+    result.total += energy;
+    result.largest = std::max(result.largest, std::abs(energy));
+  }
+  return result;
+}
+
+/// Builds the simulation on another mesh, in the same state. Returns null, with the reason, if that is not admissible
+/// there. Throws InputError if the mesh cannot be made.
+std::shared_ptr<Simulation> moved(const Simulation& simulation, const CellSplits& splits, std::string& reason) {
+  std::shared_ptr<Simulation> next = simulation.on_mesh(splits);
+  next->resumes();
+  Integrator& integrator = next->integrator();
+  const Integrator& before = simulation.integrator();
+  Motion motion =
+      moved_motion(simulation.split_mesh(), simulation.model(), before.state(), next->split_mesh(), next->model());
+  try {
+    integrator.initialize(std::move(motion.u), std::move(motion.v), before.time());
+  } catch (const InputError& error) {
+    reason = error.what();
+    return nullptr;
+  }
+  integrator.continue_works(before, 0);
+  integrator.set_interaction_points(before.table().interaction_points);
+  return next;
 }
 
 }  // namespace
 
-std::shared_ptr<Simulation> MeshFollower::moved_to(const CellSplits& splits) {
-  std::shared_ptr<Simulation> next = simulation_.on_mesh(splits, true);
-  next->resumes();
-  Integrator& integrator = next->integrator();
-  const Integrator& before = simulation_.integrator();
-  Motion motion =
-      moved_motion(simulation_.split_mesh(), simulation_.model(), before.state(), next->split_mesh(), next->model());
-  integrator.initialize(std::move(motion.u), std::move(motion.v), before.time());
-  integrator.continue_works(before, 0);
-  return next;
+/// Returns the simulation with these splits; null, and a problem, if the state is not admissible there.
+std::shared_ptr<Simulation> MeshFollower::with(const CellSplits& splits, const char* what) {
+  if (splits == simulation_.split_mesh().tree().splits() || splits == refused_) return nullptr;
+  std::string reason;
+  std::shared_ptr<Simulation> next = moved(simulation_, splits, reason);
+  if (next) return next;
+  refused_ = splits;
+  problem_ =
+      fmt::format("at t = {:.6g} T0 cells stay as {} as they are: {}", simulation_.integrator().time(), what, reason);
+  return nullptr;
 }
 
 std::shared_ptr<Simulation> MeshFollower::refined() {
   const AdaptOptions& options = simulation_.adaptation();
-  if (repeats_ >= options.levels) return nullptr;
   const SplitMesh& mesh = simulation_.split_mesh();
   const Signs signs = signs_of(simulation_, simulation_.integrator().attempted(), false);
-  if (!has_coarse_cells(mesh, signs, options)) return nullptr;
-  const CellSplits splits = wished_splits(mesh, signs, options, simulation_.refined_places(), true);
-  if (splits == mesh.tree().splits()) return nullptr;
-  std::shared_ptr<Simulation> next;
-  try {
-    next = moved_to(splits);
-  } catch (const InputError&) {
-    return nullptr;  // a surface is so near its obstacle that the finer one is not admissible
+  if (!has_coarse_faces(mesh, signs, options)) return nullptr;
+  if (repeats_ >= options.levels) {
+    problem_ = fmt::format(
+        "the step from t = {:.6g} T0 was accepted with faces that are too coarse: it was repeated {} times on finer "
+        "meshes; use shorter steps",
+        simulation_.integrator().time(), repeats_);
+    return nullptr;
   }
-  changes_.energy += total_energy(*next) - total_energy(simulation_);
+  const std::shared_ptr<Simulation> next =
+      with(wished_splits(mesh, signs, options, simulation_.refined_places(), true), "coarse");
+  if (!next) return nullptr;
+  changes_.energy += energies_of(*next).total - energies_of(simulation_).total;
   ++changes_.count;
   ++changes_.repeated;
   ++repeats_;
@@ -69,30 +109,40 @@ std::shared_ptr<Simulation> MeshFollower::refined() {
 
 std::shared_ptr<Simulation> MeshFollower::adapted(long step, double largest_energy) {
   const AdaptOptions& options = simulation_.adaptation();
-  if (exhausted_ || step % options.interval != 0) return nullptr;
+  if (step % options.interval != 0) return nullptr;
   const SplitMesh& mesh = simulation_.split_mesh();
   const Signs signs = signs_of(simulation_, simulation_.integrator().state(), true);
-  const CellSplits splits = wished_splits(mesh, signs, options, simulation_.refined_places(), false);
-  if (splits == mesh.tree().splits()) return nullptr;
-  std::shared_ptr<Simulation> next;
-  try {
-    next = moved_to(splits);
-  } catch (const InputError&) {
-    return nullptr;  // a larger cell inverts, or a gap closes
+  const auto wished = [&](bool keep_all) {
+    return wished_splits(mesh, signs, options, simulation_.refined_places(), keep_all);
+  };
+  const Energies before = energies_of(simulation_);
+  const double scale = std::max(largest_energy, before.largest);
+  for (const bool keep_all : {false, true}) {
+    const CellSplits splits = wished(keep_all);
+    const bool joins = !splits.contain(mesh.tree().splits());
+    if (joins && splits == too_dear_) continue;
+    const std::shared_ptr<Simulation> next = with(splits, joins ? "fine" : "coarse");
+    if (!next) return nullptr;
+    const double change = energies_of(*next).total - before.total;
+    const double coarsening = changes_.coarsening + (joins ? std::abs(change) : 0);
+    if (joins && !(coarsening <= options.budget * scale)) {
+      too_dear_ = splits;
+      problem_ = fmt::format(
+          "at t = {:.6g} T0 cells stay split: to join them would change the energy by {:.3g} of the largest one in "
+          "all, "
+          "more than Mesh/Adapt/Budget, {}",
+          simulation_.integrator().time(), coarsening / scale, options.budget);
+      continue;
+    }
+    changes_.coarsening = coarsening;
+    changes_.energy += change;
+    ++changes_.count;
+    return next;
   }
-  const double change = total_energy(*next) - total_energy(simulation_);
-  const double coarsening = changes_.coarsening + std::abs(change);
-  if (!(coarsening <= options.budget * largest_energy)) {
-    exhausted_ = true;
-    return nullptr;
-  }
-  changes_.coarsening = coarsening;
-  changes_.energy += change;
-  ++changes_.count;
-  return next;
+  return nullptr;
 }
 
-void MeshFollower::count() {
+void MeshFollower::accept() {
   repeats_ = 0;
   const long long unknowns = simulation_.model().space().global();
   changes_.unknowns += static_cast<double>(unknowns);
@@ -112,10 +162,14 @@ void MeshFollower::transfer(Record& record) {
   record.number("unknowns", changes_.unknowns);
   record.number("most unknowns", changes_.most_unknowns);
   record.number("repeats", repeats_);
-  record.number("exhausted", exhausted_);
+  for (const auto& [name, kept] : {std::pair("refused splits", &refused_), std::pair("too dear splits", &too_dear_)}) {
+    std::string text = record.loading() ? "" : kept->text();
+    record.text(name, text);
+    if (record.loading()) *kept = CellSplits::of_text(text);
+  }
 }
 
-std::shared_ptr<Simulation> on_initial_mesh(const Simulation& simulation) {
+std::shared_ptr<Simulation> on_first_mesh(const Simulation& simulation) {
   const AdaptOptions& options = simulation.adaptation();
   std::shared_ptr<Simulation> finer;
   for (int level = 0; level < options.levels; ++level) {
@@ -124,7 +178,10 @@ std::shared_ptr<Simulation> on_initial_mesh(const Simulation& simulation) {
     const Signs signs = signs_of(present, present.integrator().state(), true);
     const CellSplits splits = wished_splits(mesh, signs, options, present.refined_places(), true);
     if (splits == mesh.tree().splits()) break;
-    finer = present.on_mesh(splits, false);
+    std::string reason;
+    std::shared_ptr<Simulation> next = moved(present, splits, reason);
+    if (!next) throw InputError("Mesh/Adapt: the first mesh cannot be as fine as the front asks: " + reason);
+    finer = std::move(next);
   }
   return finer;
 }

@@ -84,6 +84,30 @@ std::vector<double> begins_of_stages(const std::string& path, std::size_t stages
   return begins;
 }
 
+/// Returns the simulation on the mesh that a checkpoint was written with; null if it has it.
+std::shared_ptr<Simulation> mesh_of_checkpoint(const Simulation& simulation, const std::string& path) {
+  const Comm& comm = simulation.model().space().comm();
+  const std::string file = sound_checkpoint(comm, path);
+  CellSplits splits;
+  together<InputError>(comm, [&] {
+    Hdf5Input input(file);
+    if (!input.has_group("run")) return;
+    input.enter("run");
+    if (!input.has_group(adaptation_section))
+      throw InputError(file + ": its run had a mesh that stays, but that of the scene follows the front: Mesh/Adapt");
+    input.enter(adaptation_section);
+    splits = CellSplits::of_text(input.text(splits_name));
+  });
+  if (splits == simulation.split_mesh().tree().splits()) return nullptr;
+  std::shared_ptr<Simulation> other;
+  try {
+    other = simulation.on_mesh(splits);
+  } catch (const InputError& error) {
+    throw InputError(file + ": its mesh cannot be made of the scene's: " + error.what());
+  }
+  return other;
+}
+
 }  // namespace
 
 Restart::Restart(const Simulation& simulation, const std::string& path) {
@@ -139,7 +163,8 @@ void Restart::load(const std::function<void(Record&)>& transfer) {
   load_placed(path_, [&] { transfer(*reader_); });
 }
 
-std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, const std::string& path) {
+std::shared_ptr<Simulation> simulation_of_checkpoint(const Simulation& simulation, const std::string& path) {
+  if (simulation.adaptation().on()) return mesh_of_checkpoint(simulation, path);
   if (!simulation.stages().any()) return nullptr;
   const Comm& comm = simulation.model().space().comm();
   const std::string file = sound_checkpoint(comm, path);
@@ -149,29 +174,6 @@ std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, co
   for (std::size_t k = simulation.stage(); k < begins.size(); ++k)
     stage = (stage ? *stage : simulation).next_stage(begins[k]);
   return stage;
-}
-
-std::shared_ptr<Simulation> mesh_of_checkpoint(const Simulation& simulation, const std::string& path) {
-  const Comm& comm = simulation.model().space().comm();
-  const std::string file = sound_checkpoint(comm, path);
-  CellSplits splits;
-  together<InputError>(comm, [&] {
-    Hdf5Input input(file);
-    if (!input.has_group("run")) return;
-    input.enter("run");
-    if (!input.has_group(adaptation_section))
-      throw InputError(file + ": its run had a mesh that stays, but that of the scene follows the front: Mesh/Adapt");
-    input.enter(adaptation_section);
-    splits = CellSplits::of_text(input.text(splits_name));
-  });
-  if (splits == simulation.split_mesh().tree().splits()) return nullptr;
-  std::shared_ptr<Simulation> other;
-  try {
-    other = simulation.on_mesh(splits, true);
-  } catch (const InputError& error) {
-    throw InputError(file + ": its mesh cannot be made of the scene's: " + error.what());
-  }
-  return other;
 }
 
 bool Restart::is_in(const std::string& folder) const {

@@ -36,13 +36,9 @@ class Restart {
   std::vector<std::string> notes_;
 };
 
-/// Returns the simulation of the stage in which a checkpoint was written, without a state; null if that is the stage of
-/// `simulation`, or if its scene has no stages. Throws InputError if the path is no checkpoint, or is one of a stage
-/// that the scene does not have. Collective.
-std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, const std::string& path);
-
-/// Returns the simulation on the mesh that a checkpoint was written with, without a state, of a scene whose mesh
-/// follows the front. Throws InputError if the path is no checkpoint, or has no such mesh. Collective.
-std::shared_ptr<Simulation> mesh_of_checkpoint(const Simulation& simulation, const std::string& path);
+/// Returns the simulation of the stage in which a checkpoint was written, or of the mesh, if it follows the front,
+/// without a state; null if that is `simulation`. Throws InputError if the path is no checkpoint, or is one of a stage
+/// or a mesh that the scene does not have. Collective.
+std::shared_ptr<Simulation> simulation_of_checkpoint(const Simulation& simulation, const std::string& path);
 
 }  // namespace ixos

@@ -100,8 +100,9 @@ class Run {
   void look_at_criteria();
   void warn_of_jump();
   void measure_row();
-  bool change_mesh(std::shared_ptr<Simulation> next);
+  bool change_mesh(const std::function<std::shared_ptr<Simulation>()>& follow);
   void transfer_watches(Record& record);
+  void take_back(MemoryRecord::Values& control);
   bool interlude();
   void step();
   void end();
@@ -162,7 +163,8 @@ std::shared_ptr<Simulation> Run::advance() {
       if (on_other_mesh_) return on_other_mesh_;
       if (is_over() || result_.steps != before + 1) continue;
       if (auto next = exchanged()) return next;
-      if (follower_.on() && change_mesh(follower_.adapted(result_.steps, files_.history().largest_energy())))
+      const double largest = files_.history().largest_energy();
+      if (follower_.on() && change_mesh([&] { return follower_.adapted(result_.steps, largest); }) && on_other_mesh_)
         return on_other_mesh_;
     }
     if (auto next = next_stage()) return next;
@@ -205,6 +207,8 @@ std::shared_ptr<Simulation> Run::exchanged() const {
   if (any[1] != 0) throw std::logic_error("RunOptions::exchange returned a simulation on some ranks only");
   if (simulation_.stages().any() || next->stages().any())
     throw InputError("a scene with Stages cannot be exchanged during its run, nor for another one");
+  if (simulation_.adaptation().on() || next->adaptation().on())
+    throw InputError("a scene with Mesh/Adapt cannot be exchanged during its run, nor for another one");
   const double now = integrator_.time(), then = next->integrator().time();
   if (then != now)
     throw InputError(
@@ -212,9 +216,22 @@ std::shared_ptr<Simulation> Run::exchanged() const {
   return next;
 }
 
-/// Notes the simulation on another mesh, if there is one. Returns whether there is.
-bool Run::change_mesh(std::shared_ptr<Simulation> next) {
-  on_other_mesh_ = std::move(next);
+/// Notes the simulation on another mesh that a function of the follower returns, if there is one. Returns whether there
+/// is, or the run is over because that mesh cannot be made.
+bool Run::change_mesh(const std::function<std::shared_ptr<Simulation>()>& follow) {
+  try {
+    on_other_mesh_ = follow();
+  } catch (const InputError& error) {
+    fail(fmt::format("the mesh cannot follow the front: {}", error.what()));
+    return true;
+  }
+  constexpr const char* name = "mesh follows the front";
+  const auto is_told = [&](const Warning& warning) { return warning.name == name; };
+  if (const std::string problem = follower_.take_problem();
+      !problem.empty() && std::none_of(result_.warnings.begin(), result_.warnings.end(), is_told)) {
+    warn(problem);
+    result_.warnings.push_back({name, problem});
+  }
   return on_other_mesh_ != nullptr;
 }
 
@@ -224,6 +241,12 @@ void Run::transfer_watches(Record& record) {
   watch_.transfer(record);
   measures_.transfer(record, files_.history());
   control_.transfer(record);
+}
+
+/// The step begins anew on another mesh: its judgement does not count.
+void Run::take_back(MemoryRecord::Values& control) {
+  WatchRecord loading(control, 0);
+  control_.transfer(loading);
 }
 
 void Run::take_over_mesh(Run& before) {
@@ -238,7 +261,6 @@ void Run::take_over_mesh(Run& before) {
   files_.history().set_adapted(follower_.changes().energy);
   checkpoints_.go_on_from(before.checkpoints_);
   resumed_from_ = checkpoints_.newest();
-  stop_.reason(simulation_.model(), integrator_.state());  // the criteria's places in this mesh
   MemoryRecord::Values values;
   WatchRecord saving(values, 1), loading(values, 0);
   before.transfer_watches(saving);
@@ -387,6 +409,11 @@ void Run::step() {
   }
   if (!(before + dt > before)) return fail(fmt::format("a step of {:.3g} T0 is lost in rounding", dt));
   attempted_ = dt;
+  MemoryRecord::Values control;  // as it is before the step is judged
+  if (follower_.on()) {
+    WatchRecord saving(control, 1);
+    control_.transfer(saving);
+  }
   const StepResult step = integrator_.attempt(dt);
   result_.linear_iterations += step.linear_iterations;
   result_.newton_iterations += step.newton_iterations;
@@ -405,8 +432,8 @@ void Run::step() {
     return;
   }
   if (follower_.on()) {
-    if (change_mesh(follower_.refined())) return;
-    follower_.count();
+    if (change_mesh([this] { return follower_.refined(); })) return take_back(control);
+    follower_.accept();
   }
   if (watch_.on()) watch_.step(integrator_);
   integrator_.accept();
@@ -554,7 +581,7 @@ void Run::transfer(Record& record) {
   watch_.transfer(record);
   measures_.transfer(record, files_.history());
   follower_.transfer(record);
-  files_.history().set_adapted(follower_.changes().energy);
+  if (record.loading()) files_.history().set_adapted(follower_.changes().energy);
   // Other steps or another scheme begin with their own.
   if (!record.loading() || record.same_scene()) control_.transfer(record);
 }
@@ -566,12 +593,7 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   const auto tell = [&](const std::shared_ptr<Simulation>& stage) {
     if (options.stage) together(stage->model().space().comm(), [&] { options.stage(stage); });
   };
-  if (options.restart.empty())
-    other = on_initial_mesh(simulation);
-  else if (simulation.adaptation().on())
-    other = mesh_of_checkpoint(simulation, options.restart);
-  else
-    other = stage_of_checkpoint(simulation, options.restart);
+  other = options.restart.empty() ? on_first_mesh(simulation) : simulation_of_checkpoint(simulation, options.restart);
   auto present = std::make_unique<Run>(other ? *other : simulation, options);
   present->start();
   if (other) tell(other);

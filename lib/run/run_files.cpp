@@ -91,6 +91,7 @@ void RunFiles::open_folder(bool goes_on) {
 }
 
 void RunFiles::create() {
+  if (std::exchange(frame_files_, exchanges_ > 0 ? frame_files_ : 0) > 0) name_frames();
   history_.create(history_path());
   if (fields_) begin_frames();
   row(true);
@@ -104,10 +105,12 @@ void RunFiles::verify() {
 
 void RunFiles::resume() {
   history_.resume(history_path());
-  if (has_frames()) {
+  frames_begun_ = has_frames();
+  if (frames_begun_) {
     fields_->resume(field_length_);
-    frames_begun_ = true;
-  } else if (fields_ && !simulation_.adaptation().on()) {
+  } else if (fields_ && simulation_.adaptation().on()) {
+    name_frames();  // the file begins with its first frame
+  } else if (fields_) {
     begin_frames();
   }
 }

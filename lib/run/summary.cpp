@@ -52,7 +52,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["restarts"] = result.restarts;
   json["dofs"] = model.space().global();
   json["elements"] = model.mesh().global_cells;
-  json["mesh_fingerprint"] = simulation.mesh_fingerprint();
+  json["mesh_fingerprint"] = simulation.fingerprint_of_results();
   json["least_scaled_jacobian"] = simulation.mesh_quality().least_scaled_jacobian;
   json["largest_aspect_ratio"] = simulation.mesh_quality().largest_aspect_ratio;
   json["ranks"] = comm->getSize();

@@ -26,6 +26,7 @@ bool ends_with(const std::string& text, const std::string& end) {
 Bearing bearing(const std::string& path) {
   const std::string control = "Time Integrator/Time Step Control/";
   if (starts_with(path, "Initial Conditions/") || path == control + "Initial Time") return Bearing::State;
+  if (starts_with(path, "Mesh/Adapt/")) return Bearing::Solution;
   // The fingerprint tells whether the mesh is another one.
   for (const char* list : {"Units/", "Mesh/", "Stages/", "Time Integrator/Stop/"})
     if (starts_with(path, list)) return Bearing::None;

@@ -88,10 +88,10 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
                                                return scene_mesh(list, folder, bubbles, splitting);
                                              },
                                              [folder](const List& list) { prepare_drawings(list, folder); }, given}),
-                 comm, {}, {}) {}
+                 comm, {}) {}
 
 Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given)
-    : Simulation(std::make_shared<Plan>(given_mesh_plan(scene, mesh, given)), comm, {}, {}) {}
+    : Simulation(std::make_shared<Plan>(given_mesh_plan(scene, mesh, given)), comm, {}) {}
 
 /// Only later stages, and meshes that change, need the mesh after the constructor.
 Simulation::Plan Simulation::given_mesh_plan(const List& scene, const Mesh& mesh, const GivenHistories& given) {
@@ -109,7 +109,8 @@ Simulation::Plan Simulation::given_mesh_plan(const List& scene, const Mesh& mesh
           [](const List&) {}, given};
 }
 
-Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins, const Origin& origin)
+Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins,
+                       const CellSplits* splits)
     : plan_(std::move(plan)),
       begins_(std::move(begins)),
       parameters_(complete_scene(plan_->with_files(plan_->stages.scene(begins_)))),
@@ -138,9 +139,9 @@ Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector
   adaptation_ = read_adaptation(scene_node, materials_, interactions_);
   if (adaptation_.on() && stages().any())
     throw InputError("Mesh/Adapt: a mesh that follows the front does not go with Stages; set Levels to 0");
-  build_model(comm, table.mass, origin);
+  build_model(comm, table.mass, splits);
   build_integrator(std::move(table));
-  if (stage() == 0 && !origin.awaits_state)
+  if (stage() == 0 && splits == nullptr)
     set_initial_state();
   else
     integrator_->await_state(control.initial_time);
@@ -202,17 +203,20 @@ std::unique_ptr<Simulation> Simulation::next_stage(double begin) const {
   if (!has_next_stage()) throw std::logic_error("the scene has no further stage");
   std::vector<double> begins = begins_;
   begins.push_back(begin);
-  std::unique_ptr<Simulation> next(new Simulation(plan_, model_->space().comm(), std::move(begins), {}));
+  std::unique_ptr<Simulation> next(new Simulation(plan_, model_->space().comm(), std::move(begins)));
   next->setup_seconds_ += setup_seconds_;                                 // of all so far
   next->planned_end_ = planned_end_ + begin - step_control().final_time;  // a stage may end early
   return next;
 }
 
-std::unique_ptr<Simulation> Simulation::on_mesh(const CellSplits& splits, bool awaits_state) const {
-  std::unique_ptr<Simulation> next(
-      new Simulation(plan_, model_->space().comm(), begins_, Origin{&splits, awaits_state}));
+std::unique_ptr<Simulation> Simulation::on_mesh(const CellSplits& splits) const {
+  std::unique_ptr<Simulation> next(new Simulation(plan_, model_->space().comm(), begins_, &splits));
   next->setup_seconds_ += setup_seconds_;
   return next;
+}
+
+std::string Simulation::fingerprint_of_results() const {
+  return split_mesh_ ? fingerprint(split_mesh_->base()) : mesh_fingerprint_;
 }
 
 const SplitMesh& Simulation::split_mesh() const {
@@ -292,15 +296,17 @@ Mesh Simulation::whole_mesh(const CellSplits* splits, Inertia inertia) {
   set_sizes_ = ixos::set_sizes(mesh);
   read_factor_fields(interactions_, parameters_.sublist("Mesh"), mesh);
   enrich_surfaces(interactions_, mesh);
+  if (mesh.dimension == 2 && adaptation_.directions.find('z') != std::string::npos)
+    throw InputError("Mesh/Adapt/Directions: \"z\" is no axis of a mesh of two dimensions; \"x\" and \"y\" are");
   if (adaptation_.on()) split_mesh_ = std::make_unique<const SplitMesh>(std::move(base), mesh, std::move(tree));
   return mesh;
 }
 
-void Simulation::build_model(const Comm& comm, Inertia inertia, const Origin& origin) {
+void Simulation::build_model(const Comm& comm, Inertia inertia, const CellSplits* splits) {
   const NamedScope scope("mesh and model");
   Mesh mesh;
   on_first_rank(comm, [&] { plan_->prepare(parameters_.sublist("Mesh")); });
-  together<InputError>(comm, [&] { mesh = whole_mesh(origin.splits, inertia); });
+  together<InputError>(comm, [&] { mesh = whole_mesh(splits, inertia); });
   notes_ = mesh.notes;
   result_units_ = ixos::result_units(units_, mesh.body_dimension());
   std::vector<double> files = nodal_factors(interactions_);
@@ -334,7 +340,7 @@ void Simulation::build_model(const Comm& comm, Inertia inertia, const Origin& or
                             inertia == Inertia::None);
   // A body at rest may be in the way of an obstacle that has moved by now: the state that a later stage is given
   // counts.
-  const bool is_start = stage() == 0 && !origin.awaits_state;
+  const bool is_start = stage() == 0 && splits == nullptr;
   const double start = is_start ? control.initial_time : std::numeric_limits<double>::quiet_NaN();
   add_interactions(interactions_, histories, start, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
@@ -345,7 +351,8 @@ void Simulation::build_model(const Comm& comm, Inertia inertia, const Origin& or
     for (std::string& note : histories.notes()) notes_.push_back(std::move(note));
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
-  for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
+  for (Warning& warning : scene_warnings(facts))
+    if (!adaptation_.on() || warning.name != "cohesive zone") warnings_.push_back(std::move(warning));
   hints_ = scene_notes(facts);
   if (inertia == Inertia::None)
     for (Warning& found : missing_supports(scene, interactions_, mesh, parts)) warnings_.push_back(std::move(found));

@@ -85,9 +85,12 @@ class Simulation {
   const SplitMesh& split_mesh() const;
   /// Returns the places of the scene's list "Mesh/Refine".
   std::vector<NamedRegion> refined_places() const;
-  /// Builds the same scene on a mesh whose cells are split so, in its initial state; or, with `awaits_state`, without a
-  /// state, for Integrator::initialize() or a checkpoint at that time [T0]. Throws InputError as the constructor does.
-  std::unique_ptr<Simulation> on_mesh(const CellSplits& splits, bool awaits_state) const;
+  /// Builds the same scene on a mesh whose cells are split so, without a state: Integrator::initialize() or a
+  /// checkpoint gives it one. Throws InputError as the constructor does.
+  std::unique_ptr<Simulation> on_mesh(const CellSplits& splits) const;
+  /// Returns what tells results of this scene's mesh from those of another one: mesh_fingerprint(), or that of the
+  /// unsplit mesh if the mesh follows the front.
+  std::string fingerprint_of_results() const;
 
   const std::vector<SetSize>& set_sizes() const { return set_sizes_; }  ///< before contact elements add nodes
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
@@ -118,15 +121,12 @@ class Simulation {
     std::string mesh{};        ///< the fingerprint of the first stage's mesh
   };
   static Plan given_mesh_plan(const Teuchos::ParameterList& scene, const Mesh& mesh, const GivenHistories& given);
-  /// How the cells of a mesh that follows the front are split, and whether a state comes from outside.
-  struct Origin {
-    const CellSplits* splits = nullptr;  ///< null: as the list "Refine" says
-    bool awaits_state = false;
-  };
-  Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins, const Origin& origin);
+  /// `splits`: of a mesh that follows the front, whose state comes later; null: those of the list "Refine".
+  Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector<double> begins,
+             const CellSplits* splits = nullptr);
   bool some_stage_needs_bubbles() const;
   Mesh whole_mesh(const CellSplits* splits, Inertia inertia);
-  void build_model(const Comm& comm, Inertia inertia, const Origin& origin);
+  void build_model(const Comm& comm, Inertia inertia, const CellSplits* splits);
   void look_ahead();
   void refuse_jump_to(const Simulation& next) const;
   void build_integrator(Table table);

@@ -156,6 +156,7 @@ void Integrator::resume(const State& state, const Works& before) {
 void Integrator::continue_works(const Integrator& before, double external) {
   dissipated_ = dissipated_before_ = before.dissipated_;
   external_work_ = before.external_work_ + external;
+  if (before.time() == time()) time_carry_ = before.time_carry_;
   const std::vector<std::string>&mine = model_.dissipation_names(), &others = before.model_.dissipation_names();
   for (std::size_t i = 0; i < mine.size(); ++i) {
     const auto found = std::find(others.begin(), others.end(), mine[i]);

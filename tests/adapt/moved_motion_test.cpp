@@ -154,5 +154,35 @@ TEST(MovedMotionTest, HeldPartsGetNoRigidMotion) {
   }
 }
 
+// A held body keeps the integral of its velocity with each function that both meshes have and that the support holds.
+TEST(MovedMotionTest, JoinedCellsOfAHeldBodyKeepItsWeightedMomenta) {
+  for (const int dimension : {2, 3})
+    for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q2C2}) {
+      // Some cells stay split, so that nodes of theirs hang that did not.
+      Moving fine(split_box(dimension, element, 1)), coarse(split_box(dimension, element, 3));
+      for (Moving* body : {&fine, &coarse}) prescribe(*body->model, "right", "all");
+      fine.set();
+      const LocalMesh& mesh = fine.model->mesh();
+      const auto d = static_cast<std::size_t>(dimension);
+      for (std::size_t k = 0; k < fine.state.v.size(); ++k)
+        if (mesh.coordinates[k / d * d] == 3) fine.state.v[k] = 0;
+      coarse.take(fine);
+      for (int power = 0; power < 2; ++power)
+        for (std::size_t i = 0; i < d; ++i) {
+          double sums[2] = {0, 0};
+          for (const Moving* body : {&fine, &coarse}) {
+            const LocalMesh& own = body->model->mesh();
+            std::vector<double> p(static_cast<std::size_t>(body->model->space().owned()));
+            body->model->mass()->multiply(body->state.v.data(), p.data());
+            for (std::size_t node = 0; node < static_cast<std::size_t>(own.owned_nodes); ++node)
+              sums[body == &coarse] +=
+                  (3 - own.coordinates[node * d]) * std::pow(own.coordinates[node * d + 1], power) * p[node * d + i];
+          }
+          fine.model->space().sum(sums, 2);
+          EXPECT_NEAR(sums[1], sums[0], 1e-11) << dimension << "D, element " << static_cast<int>(element);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace ixos

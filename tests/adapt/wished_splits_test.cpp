@@ -69,7 +69,7 @@ TEST(BulkStrainTest, AQuadraticFieldHasTheJumpOfHalfACell) {
       affine[k] = 0.3 * mesh.mesh().coordinates[k] - 0.2 * mesh.mesh().coordinates[k + 1];
       quadratic[k] = mesh.mesh().coordinates[k] * mesh.mesh().coordinates[k] / 2;
     }
-    const BulkStrain none(mesh, affine), bent(mesh, quadratic);
+    const BulkStrain none(mesh, affine, dimension), bent(mesh, quadratic, dimension);
     for (int k = 0; k < mesh.base().cells(); ++k) {
       EXPECT_NEAR(none.jump(mesh.tree().cell(k)), 0, 1e-15);
       // The gradient x is that of a cell's middle; at its nodes the mean of two cells is half a cell of 1 L0 away.
@@ -107,7 +107,7 @@ TEST(WishedSplitsTest, FacesAreSplitUntilTheTractionChangesByThePart) {
     const Front front(fine, "bottom", *law, rising(fine, first, 0.2));
     Signs signs;
     signs.fronts.push_back(front);
-    EXPECT_FALSE(has_coarse_cells(fine, signs, options(8)));
+    EXPECT_FALSE(has_coarse_faces(fine, signs, options(8)));
     double largest = 0;
     for (std::size_t k = 0; k < fine.tree().cells().size(); ++k)
       if (fine.tree().is_leaf(static_cast<int>(k))) largest = std::max(largest, front.change(fine.tree().cells()[k]));

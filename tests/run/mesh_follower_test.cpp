@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "run/restart_fixture.hpp"
 #include "study/common/history_table.hpp"
@@ -117,6 +115,9 @@ TEST_F(MeshFollowerTest, ABudgetKeepsCellsSplit) {
                   joined = run_scene(strip("Newmark", adapt(2), 0.05, 3), "joined");
   EXPECT_EQ(kept.mesh_changes.coarsening, 0);
   EXPECT_EQ(kept.mesh_changes.count, kept.mesh_changes.repeated);
+  ASSERT_EQ(kept.warnings.size(), 1U);
+  EXPECT_EQ(kept.warnings[0].name, "mesh follows the front");
+  expect_contains(kept.warnings[0].message, "cells stay split: to join them would change the energy by");
   EXPECT_GT(joined.mesh_changes.coarsening, 0);
   EXPECT_GT(kept.mesh_changes.most_unknowns, joined.mesh_changes.most_unknowns);
 }
@@ -131,10 +132,10 @@ TEST_F(MeshFollowerTest, TheFirstMeshIsThatOfTheFirstState) {
   const std::string probe = numbers("Point", {6, 0});
   tilted.replace(tilted.find(probe), probe.size(), numbers("Point", {-6, 0}));
   const Simulation first(scene(tilted), world());
-  const std::shared_ptr<Simulation> finer = on_initial_mesh(first);
+  const std::shared_ptr<Simulation> finer = on_first_mesh(first);
   ASSERT_TRUE(finer);
   EXPECT_GT(finer->model().mesh().global_cells, first.model().mesh().global_cells);
-  EXPECT_FALSE(on_initial_mesh(*finer));
+  EXPECT_FALSE(on_first_mesh(*finer));
   EXPECT_EQ(finer->integrator().time(), 0);
 }
 
@@ -151,6 +152,64 @@ TEST_F(MeshFollowerTest, FramesAreASeriesOfFiles) {
   }
   EXPECT_GT(files, 1);
   EXPECT_LE(files, (result.mesh_changes.count + 1) * world()->getSize());
+}
+
+TEST_F(MeshFollowerTest, PlacesThatAreFineStaySoAndRestartsFindTheirMesh) {
+  const std::string place = list("Refine", list("Left", count("Levels", 2) + numbers("Upper", {0.9, 9})));
+  const RunResult whole =
+      expect_goes_on(strip("Newmark", place + adapt(2), 0.05, 1.5, checkpoints(1, 100)), {1, 9, 13, 20});
+  EXPECT_GT(whole.mesh_changes.count, 1);
+}
+
+TEST_F(MeshFollowerTest, ARunBeginsWithThePresentStateAndReplacesItsOwnResults) {
+  const Teuchos::ParameterList scene = test::scene(strip("Newmark", adapt(2), 0.05, 1));
+  RunOptions options;
+  options.folder = folder("present");
+  std::vector<double> ends;
+  for (const int steps : {0, 4}) {
+    Simulation simulation(scene, world());
+    for (int n = 0; n < steps; ++n) ASSERT_TRUE(simulation.integrator().step(0.05).converged);
+    const RunResult result = run(simulation, options);
+    EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+    EXPECT_EQ(result.steps, 20 - steps);
+    world()->barrier();
+    ends.push_back(table("present").column("reaction_right_y").back());
+  }
+  EXPECT_NEAR(ends[1], ends[0], 0.02 * std::abs(ends[0]));
+}
+
+/// A block that is lifted off a wall by its top.
+std::string lifted_block(const std::string& mesh, const std::vector<double>& point, const std::string& across,
+                         const std::string& up, const std::string& integrator) {
+  return list("Mesh", word("Type", "Box") + mesh + adapt(1, number("Part", 0.02))) +
+         list("Materials", list("Rubber", number("Density", 0.1))) +
+         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", point) + number("Gamma L", 1) +
+                                               number("Gamma W", 10))) +
+         list("Histories",
+              list("Up", word("Type", "Ramp") + list("Ramp", number("Value", 0.6) + number("Length", 1)))) +
+         list("Boundary Conditions",
+              list("Pull", word("Node Set", "top") + word("Components", up) + word("History", "Up")) +
+                  list("Clamp", word("Node Set", "top") + word("Components", across))) +
+         list("Time Integrator", integrator);
+}
+
+TEST_F(MeshFollowerTest, BodiesInSpaceAndOfRevolutionFollow) {
+  const std::string solid = list("Box", count("Dimension", 3) + counts("Divisions", {3, 2, 1}) +
+                                            numbers("Lengths", {3, 2, 0.6})),
+                    ring = word("Geometry", "Axisymmetric") +
+                           list("Box", counts("Divisions", {4, 1}) + numbers("Lengths", {3, 0.6}));
+  for (const bool in_space : {false, true})
+    for (const auto& [scheme, step, error] :
+         {std::tuple("Average Vector Field", 0.05, 1e-10), std::tuple("Central Difference", 0.005, 0.02)}) {
+      SCOPED_TRACE(testing::Message() << scheme << (in_space ? ", in space" : ", of revolution"));
+      const std::string integrator = word("Type", scheme) + steps(step, 1);
+      const RunResult result = run_scene(in_space ? lifted_block(solid, {0, 0, -0.6368}, "xy", "z", integrator)
+                                                  : lifted_block(ring, {0, -0.6368}, "x", "y", integrator),
+                                         "lifted");
+      EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+      EXPECT_GT(result.mesh_changes.count, 0);
+      EXPECT_LT(result.max_energy_error, error * result.largest_energy);
+    }
 }
 
 TEST_F(MeshFollowerTest, ACheckpointOfAnotherKindIsRefused) {

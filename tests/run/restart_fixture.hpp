@@ -101,7 +101,7 @@ class RestartTest : public testing::Test {
     std::set<std::string> fields[2];
     for (const std::string& name : {one, other})
       for (const auto& entry : fs::directory_iterator(folder(name)))
-        if (const std::string file = entry.path().filename(); file.rfind("fields.e", 0) == 0)
+        if (const std::string file = entry.path().filename(); file.rfind("fields", 0) == 0)
           fields[name == one ? 0 : 1].insert(file);
     EXPECT_EQ(fields[0], fields[1]);
     EXPECT_EQ(!fields[0].empty(), fields_expected);

@@ -77,7 +77,47 @@ def measure(context):
     return rows
 
 
+# Meshes of the strip that follows its front, with those that are fine everywhere: cells along and across, levels, part.
+FOLLOWING = ((320, 8, 0, 0), (160, 4, 0, 0), (120, 2, 0, 0), (80, 2, 2, 0.25), (80, 2, 2, 0.125), (80, 2, 3, 0.125))
+
+
+def following(along, across, levels, part):
+    """Returns the settings of a mesh."""
+    return [f"{SCHEME}=Newmark", bodies.divisions(along, across), f"Mesh/Adapt/Levels={levels}",
+            *([f"Mesh/Adapt/Part={part}"] if levels else []), "Output/Fields Time Interval=0"]
+
+
+def measure_following(context):
+    """Compares the strip on each mesh with that on the mesh that is as fine everywhere."""
+    rows, variants = [], context.pick(FOLLOWING, FOLLOWING[2:4])
+    base = None
+    for variant in variants:
+        summary = context.run("strip-front", following(*variant))
+        run = results.Run(context.folder / "run")
+        _, *force = run.reaction("right_y")
+        peak = max(own for time, own in zip(*force) if 20 <= time <= 100)
+        found = {"peak": peak, "release": summary["contacts"]["Wall"]["released"], "seconds": summary["wall_seconds"],
+                 "end": summary["end_time"], "force": force}
+        base = base or found
+        changes = summary.get("mesh_changes", {})
+        along, across, levels, part = variant
+        rows.append({"mesh": f"{along} x {across}" + (f", up to {levels} levels, Part {part}" if levels else ""),
+                     "mean": changes.get("mean_dofs", summary["dofs"]), "most": changes.get("most_dofs", summary["dofs"]),
+                     "changes": changes.get("count", 0), "peak": peak / base["peak"] - 1,
+                     "release": (found["release"] - base["release"]) / base["end"],
+                     "error": measures.deviation(*force, *base["force"], (20, 120))[1],
+                     "time": found["seconds"] / base["seconds"], "seconds": found["seconds"]})
+    return rows
+
+
 TABLES = [
+    Table(name="elements-front", page=PAGE, code=(*bodies.MECHANICS, "lib/adapt", "lib/run", "xml/strip-front.xml"),
+          minutes=2, measure=measure_following,
+          columns=[Column("mesh"), Column("mean degrees of freedom", "{:,.0f}", "mean"),
+                   Column("at most", "{:,}", "most"), Column("changes of the mesh", "{:,}", "changes"),
+                   Column("peak", "{:+.4f}", "peak"), Column("release", "{:+.4f}", "release"),
+                   Column("error of the force", "{:.4f}", "error"), Column("time", "{:.2f}", "time"),
+                   Column("s", "{:.1f}", "seconds")]),
     Table(name="elements-refinement", page=PAGE, code=bodies.MECHANICS, minutes=5, measure=measure, picture=PICTURE,
           columns=[Column("scene"), Column("mesh"), Column("degrees of freedom", "{:,}", "dofs"),
                    Column("error of the force", "{:.5f}", "error"), Column("time to the first row of the scene", "{:.2f}",

@@ -28,6 +28,10 @@ int CellSplits::axis(const TreeCell& cell) const {
   return found == axis_.end() ? -1 : found->second;
 }
 
+bool CellSplits::contain(const CellSplits& others) const {
+  return std::includes(axis_.begin(), axis_.end(), others.axis_.begin(), others.axis_.end());
+}
+
 std::string CellSplits::text() const {
   std::string text;
   for (const auto& [key, axis] : axis_) text += fmt::format("{} {}\n", fmt::join(key, " "), axis);

@@ -18,6 +18,8 @@ class CellSplits {
   /// Returns the axis along which the cell is bisected; -1: it is not.
   int axis(const TreeCell& cell) const;
 
+  /// Returns whether each split of the other ones is one of these.
+  bool contain(const CellSplits& others) const;
   std::size_t size() const { return axis_.size(); }
   bool operator==(const CellSplits& other) const { return axis_ == other.axis_; }
   bool operator!=(const CellSplits& other) const { return !(*this == other); }

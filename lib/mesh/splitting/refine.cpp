@@ -223,10 +223,19 @@ SplitTree split(Mesh& mesh, const CellSplits& splits, int order) {
 
 void split(Mesh& mesh, const Splitting& splitting, int order) {
   if (!splitting.any()) return;
-  if (splitting.base != nullptr) *splitting.base = mesh;
-  SplitTree tree =
-      splitting.splits != nullptr ? split(mesh, *splitting.splits, order) : refine(mesh, splitting.regions, order);
-  if (splitting.tree != nullptr) *splitting.tree = std::move(tree);
+  if (splitting.tree == nullptr) {
+    refine(mesh, splitting.regions, order);
+    return;
+  }
+  *splitting.base = mesh;
+  CellSplits splits;
+  if (splitting.splits != nullptr) {
+    splits = *splitting.splits;
+  } else {
+    Mesh trial = mesh;
+    splits = refine(trial, splitting.regions, order).splits();
+  }
+  *splitting.tree = split(mesh, splits, order);  // numbers that depend on the splits alone
 }
 
 }  // namespace ixos

@@ -41,11 +41,12 @@ SplitTree split(Mesh& mesh, const CellSplits& splits, int order);
 struct Splitting {
   std::vector<NamedRegion> regions{};
   const CellSplits* splits = nullptr;  ///< in place of the regions
-  /// If the mesh may change later: is set to the mesh before its cells are split.
+  /// If the mesh may change later, are set to the mesh before its cells are split, and to the trees of its cells; the
+  /// numbers of nodes then depend on the splits alone, whatever asked for them.
   Mesh* base = nullptr;
-  SplitTree* tree = nullptr;  ///< likewise, to the trees of its cells
+  SplitTree* tree = nullptr;
 
-  bool any() const { return !regions.empty() || splits != nullptr || tree != nullptr; }
+  bool any() const { return !regions.empty() || tree != nullptr; }
 };
 
 /// Splits the cells as asked; changes nothing if nothing is. Throws InputError as refine() does.

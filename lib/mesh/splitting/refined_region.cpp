@@ -96,10 +96,14 @@ bool RegionSearch::meets(const CornerBox& box) const {
 }
 
 bool RegionSearch::splits_along(const std::array<double, 3>& direction) const {
-  if (splits_all()) return true;
+  return is_along(direction, region_.directions);
+}
+
+bool is_along(const std::array<double, 3>& direction, const std::string& axes) {
+  if (axes.empty()) return true;
   const auto largest = std::max_element(direction.begin(), direction.end(),
                                         [](double a, double b) { return std::abs(a) < std::abs(b); });
-  return region_.directions.find("xyz"[largest - direction.begin()]) != std::string::npos;
+  return axes.find("xyz"[largest - direction.begin()]) != std::string::npos;
 }
 
 }  // namespace ixos

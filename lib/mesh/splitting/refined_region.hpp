@@ -29,6 +29,10 @@ struct CornerBox {
 /// Returns the box around nodes of the mesh.
 CornerBox box_around(const Mesh& mesh, const std::vector<int>& nodes);
 
+/// Returns whether the axis that is closest to a direction is one of those named, such as "xy"; if none are, whether it
+/// is any.
+bool is_along(const std::array<double, 3>& direction, const std::string& axes);
+
 /// Tells which boxes meet a region's conditions.
 class RegionSearch {
  public:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "adapt/front.hpp"
 #include "base/error.hpp"
 #include "interaction/gap_law.hpp"
 #include "parameters/one_of.hpp"
@@ -83,11 +84,11 @@ AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<Material>
     if (interaction.is_pair()) refuse(path + ", an interaction of two bodies", off);
     if (interaction.element == ContactElement::Q1CH) refuse(path + "/Contact Element Q1CH", "choose Q1C4");
     if (!interaction.factor_field.empty()) refuse(path + "/Factor Field", "give a Factor");
-    has_front = has_front || interaction.law->adhesion_gap() > 0;
+    has_front = has_front || strength(*interaction.law) > 0;
   }
   if (!has_front)
-    throw InputError(fmt::format(
-        "{}: nothing tells where cells are split: the scene has no interaction, and Strain is 0", node.path()));
+    throw InputError(
+        fmt::format("{}: nothing tells where cells are split: no interaction attracts, and Strain is 0", node.path()));
   return result;
 }
 

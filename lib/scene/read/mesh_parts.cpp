@@ -139,7 +139,7 @@ void prepare(const SceneNode& node, int order, Mesh& mesh) {
 }
 
 void split_and_map(const SceneNode& node, int order, const Splitting& splitting, Mesh& mesh) {
-  at(node.path_of(splitting.splits != nullptr ? "Adapt" : "Refine"), [&] { split(mesh, splitting, order); });
+  at(node.path_of(splitting.regions.empty() ? "Adapt" : "Refine"), [&] { split(mesh, splitting, order); });
   map_nodes(node.sublist("Map"), mesh);
   place_bubbles(mesh);
   place_tied_nodes(mesh);
