@@ -83,7 +83,7 @@ FOLLOWING = ((320, 8, 0, 0), (160, 4, 0, 0), (120, 2, 0, 0), (80, 2, 2, 0.25), (
 
 def following(along, across, levels, part):
     """Returns the settings of a mesh."""
-    return [f"{SCHEME}=Newmark", bodies.divisions(along, across), f"Mesh/Adapt/Levels={levels}",
+    return [bodies.divisions(along, across), f"Mesh/Adapt/Levels={levels}",
             *([f"Mesh/Adapt/Part={part}"] if levels else []), "Output/Fields Time Interval=0"]
 
 

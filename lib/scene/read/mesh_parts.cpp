@@ -153,8 +153,7 @@ int order_of(const Mesh& mesh) {
 
 }  // namespace
 
-Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order,
-                 const Splitting& splitting) {
+Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order, const Splitting& splitting) {
   const MeshEntry& chosen = catalogue.chosen(node);
   // Parts of a curved cell lie on a curve that its quadratic form knows.
   const bool curved = chosen.make_quadratic && (order == 2 || splitting.any());
