@@ -33,7 +33,10 @@ Places places_of(CellType type) {
     for (int k = 0; k < count; ++k) {
       xi[0] = -1 + 2.0 * (k % (parts + 1)) / parts;
       xi[1] = -1 + 2.0 * (k / (parts + 1) % (parts + 1)) / parts;
-      if constexpr (D == 3) xi[2] = k / ((parts + 1) * (parts + 1)) - 1;
+      if constexpr (D == 3) {
+        const int layer = k / ((parts + 1) * (parts + 1));
+        xi[2] = layer - 1;
+      }
       Element::evaluate(xi, value, gradient);
       double others = 0;
       for (const double own : value) others += std::abs(own);

@@ -51,13 +51,15 @@ CellSplits wished_splits(const SplitMesh& mesh, const Signs& signs, const AdaptO
   Mesh trial = mesh.base();
   CellTree tree(trial);
   std::vector<RegionSearch> searches;
+  searches.reserve(regions.size());
   for (const NamedRegion& region : regions) searches.emplace_back(trial, region.region);
   const CellSplits before = mesh.tree().splits();
   const auto wish = [&](const TreeCell& cell) -> std::vector<int> {
-    if (const std::vector<int> axes = tree.wanted_axes(cell, searches); !axes.empty()) return axes;
+    std::vector<int> axes = tree.wanted_axes(cell, searches);
+    if (!axes.empty()) return axes;
     const int split_before = before.axis(cell);
     if (keep_all && split_before >= 0) return {split_before};
-    std::vector<int> axes = tree.axes_to_halve(cell, allowed(options, mesh.base(), cell));
+    axes = tree.axes_to_halve(cell, allowed(options, mesh.base(), cell));
     if (axes.empty() || !is_above(signs, cell, options, split_before >= 0 ? options.keep : 1)) return {};
     return axes;
   };

@@ -97,7 +97,7 @@ std::shared_ptr<Simulation> MeshFollower::refined() {
         simulation_.integrator().time(), repeats_);
     return nullptr;
   }
-  const std::shared_ptr<Simulation> next =
+  std::shared_ptr<Simulation> next =
       with(wished_splits(mesh, signs, options, simulation_.refined_places(), true), "coarse");
   if (!next) return nullptr;
   changes_.energy += energies_of(*next).total - energies_of(simulation_).total;
@@ -121,7 +121,7 @@ std::shared_ptr<Simulation> MeshFollower::adapted(long step, double largest_ener
     const CellSplits splits = wished(keep_all);
     const bool joins = !splits.contain(mesh.tree().splits());
     if (joins && splits == too_dear_) continue;
-    const std::shared_ptr<Simulation> next = with(splits, joins ? "fine" : "coarse");
+    std::shared_ptr<Simulation> next = with(splits, joins ? "fine" : "coarse");
     if (!next) return nullptr;
     const double change = energies_of(*next).total - before.total;
     const double coarsening = changes_.coarsening + (joins ? std::abs(change) : 0);

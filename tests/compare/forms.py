@@ -118,6 +118,7 @@ def scene_forms(schemes):
     yield "pillar", "pillar", ["Mesh/Box/Divisions={20, 8}", FINAL + "0.5"]
     yield "pillar-backing", "pillar-backing", ["Mesh/Parts/pillar/Box/Divisions={20, 8}",
                                                "Mesh/Parts/backing/Box/Divisions={12, 12}", FINAL + "0.5"]
+    yield "strip-front", "strip-front", [FINAL + "14"]
     yield "press-wait-pull", "press-wait-pull", ["Stages/Pull/" + FINAL + "10"]
     yield "afm", "afm", [FINAL + "0.5"]
     yield "afm-rough", "afm-rough", ROUGH

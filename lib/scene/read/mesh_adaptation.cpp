@@ -24,14 +24,15 @@ const Options<AdaptOptions>& options() {
                between(0, 12))
           .add("Part", &AdaptOptions::part,
                "Largest change of the traction over a face, as part of the law's strength: a face is at most this part "
-               "of the local cohesive zone. Larger ones are halved.",
+               "of the local cohesive zone. Larger ones are halved [-].",
                between(1e-3, 1.0))
           .add("Strain", &AdaptOptions::strain,
                "Largest jump of the displacement gradient at the corners of a cell, between the cell and the mean of "
                "those around the corner [-]. With 0, cells are split for the faces alone.",
                at_least(0))
           .add("Keep", &AdaptOptions::keep,
-               "Part of a bound above which cells that are split stay split. It keeps meshes from changing to and fro.",
+               "Part of a bound above which cells that are split stay split. It keeps meshes from changing to and fro "
+               "[-].",
                between(0.05, 0.95))
           .add("Interval", &AdaptOptions::interval,
                "Number of steps from one look for cells that are finer than needed to the next. Ixos looks for cells "
