@@ -2,6 +2,7 @@
 
 #include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
+#include "run/energies.hpp"
 #include "run/field_information.hpp"
 
 namespace ixos {
@@ -59,7 +60,6 @@ void FieldRecorder::close() {
 
 void FieldRecorder::record() {
   const TimedScope timed(Phase::Output);
-  const Model& model = simulation_.model();
   Integrator& integrator = simulation_.integrator();
   FieldFrame frame(integrator);
   NodalValues nodal;
@@ -70,14 +70,11 @@ void FieldRecorder::record() {
     else
       for (auto& component : field.cell(frame)) cell.push_back(std::move(component));
   }
-  const StateReport report(model, integrator.state());
-  const double kinetic = report.momenta().kinetic_energy;
-  const double elastic = report.elastic_energy();
-  const double contact = report.energy(Part::Interaction);
+  const Energies energies = energies_of(simulation_);
   together(comm_, [&] {
     file_->write(integrator.time(), nodal, cell,
-                 {kinetic, elastic, contact, integrator.external_work(), integrator.dissipated_energy(),
-                  kinetic + elastic + contact});
+                 {energies.kinetic, energies.elastic, energies.contact, integrator.external_work(),
+                  integrator.dissipated_energy(), energies.total()});
   });
 }
 

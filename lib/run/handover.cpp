@@ -7,7 +7,7 @@
 
 #include "base/all_to_all.hpp"
 #include "base/memory_record.hpp"
-#include "model/state_report.hpp"
+#include "run/energies.hpp"
 
 namespace ixos {
 namespace {
@@ -45,14 +45,6 @@ class Handover final : public MemoryRecord {
   const DofSpace& space_;
 };
 
-/// Returns kinetic, elastic and interaction energy [E0 L0^D].
-double total_energy(const Simulation& simulation) {
-  const Model& model = simulation.model();
-  const StateReport report(model, simulation.integrator().state());
-  return report.momenta().kinetic_energy + report.elastic_energy() +
-         (model.has_interactions() ? report.energy(Part::Interaction) : 0.0);
-}
-
 void add_velocities(Simulation& simulation) {
   Integrator& integrator = simulation.integrator();
   State state = integrator.state();
@@ -71,7 +63,7 @@ void hand_over(Simulation& from, Simulation& to) {
   Integrator& integrator = to.integrator();
   integrator.transfer(in);
   if (to.stages().any() && to.stages().gives_velocities(to.stage())) add_velocities(to);
-  const double before = total_energy(from), after = total_energy(to);
+  const double before = energies_of(from).total(), after = energies_of(to).total();
   const bool same = std::abs(after - before) <= 1e-12 * std::max(std::abs(before), std::abs(after));
   integrator.continue_works(from.integrator(), same ? 0 : after - before);
 }

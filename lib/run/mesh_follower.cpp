@@ -11,6 +11,7 @@
 #include "adapt/wished_splits.hpp"
 #include "base/error.hpp"
 #include "model/state_report.hpp"
+#include "run/energies.hpp"
 
 namespace ixos {
 namespace {
@@ -33,22 +34,6 @@ Signs signs_of(const Simulation& simulation, const State& state, bool has_bulk) 
         mesh, whole_field(local, comm, state.u, static_cast<std::size_t>(dimension), nodes),
         options.directions.empty() ? dimension : static_cast<int>(options.directions.size()));
   return signs;
-}
-
-struct Energies {
-  double total = 0, largest = 0;  ///< the sum, and the largest magnitude, of kinetic, elastic and interaction energy
-};
-
-Energies energies_of(const Simulation& simulation) {
-  const Model& model = simulation.model();
-  const StateReport report(model, simulation.integrator().state());
-  Energies result;
-  for (const double energy : {report.momenta().kinetic_energy, report.elastic_energy(),
-                              model.has_interactions() ? report.energy(Part::Interaction) : 0.0}) {
-    result.total += energy;
-    result.largest = std::max(result.largest, std::abs(energy));
-  }
-  return result;
 }
 
 /// Builds the simulation on another mesh, in the same state. Returns null, with the reason, if that is not admissible
@@ -100,7 +85,7 @@ std::shared_ptr<Simulation> MeshFollower::refined() {
   std::shared_ptr<Simulation> next =
       with(wished_splits(mesh, signs, options, simulation_.refined_places(), true), "coarse");
   if (!next) return nullptr;
-  changes_.energy += energies_of(*next).total - energies_of(simulation_).total;
+  changes_.energy += energies_of(*next).total() - energies_of(simulation_).total();
   ++changes_.count;
   ++changes_.repeated;
   ++repeats_;
@@ -116,14 +101,14 @@ std::shared_ptr<Simulation> MeshFollower::adapted(long step, double largest_ener
     return wished_splits(mesh, signs, options, simulation_.refined_places(), keep_all);
   };
   const Energies before = energies_of(simulation_);
-  const double scale = std::max(largest_energy, before.largest);
+  const double scale = std::max(largest_energy, before.largest());
   for (const bool keep_all : {false, true}) {
     const CellSplits splits = wished(keep_all);
     const bool joins = !splits.contain(mesh.tree().splits());
     if (joins && splits == too_dear_) continue;
     std::shared_ptr<Simulation> next = with(splits, joins ? "fine" : "coarse");
     if (!next) return nullptr;
-    const double change = energies_of(*next).total - before.total;
+    const double change = energies_of(*next).total() - before.total();
     const double coarsening = changes_.coarsening + (joins ? std::abs(change) : 0);
     if (joins && !(coarsening <= options.budget * scale)) {
       too_dear_ = splits;

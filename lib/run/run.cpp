@@ -5,6 +5,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -100,9 +101,8 @@ class Run {
   void look_at_criteria();
   void warn_of_jump();
   void measure_row();
-  bool change_mesh(const std::function<std::shared_ptr<Simulation>()>& follow);
+  void follow(const std::function<std::shared_ptr<Simulation>()>& look);
   void transfer_watches(Record& record);
-  void take_back(MemoryRecord::Values& control);
   bool interlude();
   void step();
   void end();
@@ -163,9 +163,9 @@ std::shared_ptr<Simulation> Run::advance() {
       if (on_other_mesh_) return on_other_mesh_;
       if (is_over() || result_.steps != before + 1) continue;
       if (auto next = exchanged()) return next;
-      const double largest = files_.history().largest_energy();
-      if (follower_.on() && change_mesh([&] { return follower_.adapted(result_.steps, largest); }) && on_other_mesh_)
-        return on_other_mesh_;
+      if (!follower_.on()) continue;
+      follow([this] { return follower_.adapted(result_.steps, files_.history().largest_energy()); });
+      if (on_other_mesh_) return on_other_mesh_;
     }
     if (auto next = next_stage()) return next;
     end();
@@ -216,14 +216,13 @@ std::shared_ptr<Simulation> Run::exchanged() const {
   return next;
 }
 
-/// Notes the simulation on another mesh that a function of the follower returns, if there is one. Returns whether there
-/// is, or the run is over because that mesh cannot be made.
-bool Run::change_mesh(const std::function<std::shared_ptr<Simulation>()>& follow) {
+/// Notes the simulation on another mesh that a function of the follower returns. Ends the run if that mesh cannot be
+/// made.
+void Run::follow(const std::function<std::shared_ptr<Simulation>()>& look) {
   try {
-    on_other_mesh_ = follow();
+    on_other_mesh_ = look();
   } catch (const InputError& error) {
-    fail(fmt::format("the mesh cannot follow the front: {}", error.what()));
-    return true;
+    return fail(fmt::format("the mesh cannot follow the front: {}", error.what()));
   }
   constexpr const char* name = "mesh follows the front";
   const auto is_told = [&](const Warning& warning) { return warning.name == name; };
@@ -232,21 +231,14 @@ bool Run::change_mesh(const std::function<std::shared_ptr<Simulation>()>& follow
     warn(problem);
     result_.warnings.push_back({name, problem});
   }
-  return on_other_mesh_ != nullptr;
 }
 
-/// What goes on where the mesh changes, as at a restart, but for what an integrator keeps.
+/// Transfers what a change of the mesh leaves as it is: criteria, watches, measures and step control.
 void Run::transfer_watches(Record& record) {
   stop_.transfer(record);
   watch_.transfer(record);
   measures_.transfer(record, files_.history());
   control_.transfer(record);
-}
-
-/// The step begins anew on another mesh: its judgement does not count.
-void Run::take_back(MemoryRecord::Values& control) {
-  WatchRecord loading(control, 0);
-  control_.transfer(loading);
 }
 
 void Run::take_over_mesh(Run& before) {
@@ -409,11 +401,8 @@ void Run::step() {
   }
   if (!(before + dt > before)) return fail(fmt::format("a step of {:.3g} T0 is lost in rounding", dt));
   attempted_ = dt;
-  MemoryRecord::Values control;  // as it is before the step is judged
-  if (follower_.on()) {
-    WatchRecord saving(control, 1);
-    control_.transfer(saving);
-  }
+  std::optional<StepControl> unjudged;  // a step that begins anew on another mesh was not judged
+  if (follower_.on()) unjudged = control_;
   const StepResult step = integrator_.attempt(dt);
   result_.linear_iterations += step.linear_iterations;
   result_.newton_iterations += step.newton_iterations;
@@ -432,7 +421,11 @@ void Run::step() {
     return;
   }
   if (follower_.on()) {
-    if (change_mesh([this] { return follower_.refined(); })) return take_back(control);
+    follow([this] { return follower_.refined(); });
+    if (on_other_mesh_ || is_over()) {
+      control_ = *unjudged;
+      return;
+    }
     follower_.accept();
   }
   if (watch_.on()) watch_.step(integrator_);

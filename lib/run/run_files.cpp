@@ -91,7 +91,10 @@ void RunFiles::open_folder(bool goes_on) {
 }
 
 void RunFiles::create() {
-  if (std::exchange(frame_files_, exchanges_ > 0 ? frame_files_ : 0) > 0) name_frames();
+  if (exchanges_ == 0 && frame_files_ > 0) {  // a restart in another folder begins with fields.e
+    frame_files_ = 0;
+    name_frames();
+  }
   history_.create(history_path());
   if (fields_) begin_frames();
   row(true);
