@@ -13,7 +13,7 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Rigid velocities: translations, then spins about a point. Of a body of revolution that along the axis alone.
+/// Rigid velocities: translations, then spins about a point. A body of revolution has the translation along its axis.
 class RigidMotions {
  public:
   RigidMotions(int dimension, bool axisymmetric) : d_(at(dimension)), axisymmetric_(axisymmetric) {}

@@ -49,7 +49,7 @@ Motion moved_motion(const SplitMesh& from, const Model& before, const State& sta
   motion.u = on_other(state.u);
   motion.v = on_other(state.v);
   if (after.mass() == nullptr) return motion;
-  // What tied nodes have now is what their masters give them.
+  // With tied nodes as their masters move them.
   const std::vector<double> now = whole_field(after.mesh(), after.space().comm(), motion.v, d, to.mesh().nodes());
   project(from, old, to, after, now, motion.v);
   restore_momenta(before, from.mesh(), state, after, to.mesh(), motion.u, motion.v);

@@ -59,8 +59,8 @@ struct RunOptions {
   /// throws on all ranks. A run that repeats this one in the same folder needs `overwrite`. May be empty.
   std::function<std::shared_ptr<Simulation>(Simulation& present)> exchange;
   /// Called on every rank with the simulation of the next stage of the scene, which has its state, before its steps; at
-  /// a restart in a later stage with that of the checkpoint. So it is with a simulation on another mesh, if the scene's
-  /// mesh follows the front. The run and the caller share it. May be empty.
+  /// a restart in a later stage with that of the checkpoint. A run whose mesh follows the front calls it with the
+  /// simulation on each further mesh. The run and the caller share it. May be empty.
   std::function<void(const std::shared_ptr<Simulation>&)> stage;
   /// The state of the caller, for example of an observer or of a motion that it sets: the checkpoints of the run hold
   /// it, and a restart reads it. A checkpoint with other states is refused with InputError.

@@ -1,4 +1,4 @@
-// What gaps and strains ask of a mesh.
+// The splits that gaps and strains call for.
 #include "adapt/wished_splits.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-/// Which cells of a mesh are split, as a value.
+/// The splits of a mesh's cells as a value.
 #pragma once
 #include <array>
 #include <cstddef>
