@@ -60,15 +60,19 @@ class Collision {
 };
 
 /// The largest changes of the energy, over W L0, of the linear momentum, over the sum of m |v| at the start, and of the
-/// angular one, over that times the radius 3; and the least gap.
+/// angular one, over that times the radius 3; the number of steps that change the angular one by more than 1e-12 of
+/// this; and the least gap.
 struct KeptErrors {
-  double energy = 0, linear = 0, angular = 0, least_gap = 1;
+  double energy = 0, linear = 0, angular = 0;
+  int turned = 0;
+  double least_gap = 1;
 };
 
 /// Takes steps; stops with a failure if one does not converge. Collective.
 inline KeptErrors kept_errors(Collision& collision, double dt, int steps) {
   const double energy = total_energy(collision.simulation());
   const Momenta before = collision.momenta();
+  Momenta last = before;
   const double size = 2 * before.kinetic_energy / Collision::speed;  // all nodes have this speed
   KeptErrors errors;
   for (int step = 0; step < steps; ++step) {
@@ -82,6 +86,8 @@ inline KeptErrors kept_errors(Collision& collision, double dt, int steps) {
         std::max(errors.energy, std::abs(total_energy(collision.simulation()) - energy) / Collision::work_of_adhesion);
     errors.linear = std::max(errors.linear, distance(now.linear, before.linear) / size);
     errors.angular = std::max(errors.angular, distance(now.angular, before.angular) / (3 * size));
+    if (distance(now.angular, last.angular) > 1e-12 * (3 * size)) ++errors.turned;
+    last = now;
     errors.least_gap = std::min(errors.least_gap, collision.least_gap());
   }
   return errors;
