@@ -58,14 +58,15 @@ def surface_fields(folder):
     return names
 
 
-def values_along(fields, nodes, frames, names, asked):
+def values_along(fields, ways, frames, names, asked):
     """By component, the values of each frame; of the fields that nobody asked for, those that differ from zero."""
     values = {}
     for name in names:
-        for frame in frames:
+        for (_, nodes), frame in zip(ways, frames):
             for component, column in fields.nodal_components(name, frame).items():
                 values.setdefault(component, []).append(column[nodes])
-    worth = {name: columns for name, columns in values.items() if asked or np.nan_to_num(columns).any()}
+    worth = {name: columns for name, columns in values.items()
+             if asked or any(np.nan_to_num(column).any() for column in columns)}
     return worth or values
 
 
@@ -74,9 +75,10 @@ def draw(folder, set_name, asked, times, output, formats):
     names = asked or surface_fields(folder)
     fields = Fields(folder, *(asked or names[:1]))
     frames = frames_at(folder, fields, times)
-    axis, nodes = way_along(fields, fields.nodes_of(set_name), set_name)
-    values = values_along(fields, nodes, frames, names, asked)
-    places = [(fields.coordinates + fields.displacement(frame))[nodes, axis] for frame in frames]
+    ways = [way_along(mesh, mesh.nodes_of(set_name), set_name) for mesh, _ in map(fields.on_mesh, frames)]
+    axis = ways[0][0]
+    values = values_along(fields, ways, frames, names, asked)
+    places = [fields.positions(frame)[nodes, axis] for (_, nodes), frame in zip(ways, frames)]
     figure, grid = plt.subplots(len(values), 1, sharex=True, squeeze=False, layout="constrained",
                                 figsize=(5.2, 1.7 * len(values) + 0.9))
     shades = plt.get_cmap("viridis")(np.linspace(0, 0.85, len(frames)))

@@ -116,12 +116,13 @@ def main():
     if len(frames) < 2:
         raise ResultsError(f"{fields.path} has fewer than two frames to show")
 
-    values = [fields.of_wholes(fields.element("first_stress_invariant", frame)) for frame in frames]
+    values = [fields.of_wholes(fields.element("first_stress_invariant", frame), frame) for frame in frames]
+    every = np.concatenate(values)
     outlines = [fields.polygons(frame) for frame in frames]
     # One rare peak would pale all else: the colours end at the stress that a cell in a thousand exceeds.
-    bound = float(np.quantile(np.abs(values), 0.999))
-    noise = style.is_noise("first_stress_invariant", np.array(values)) or not bound
-    colors = style.color_scale("first_stress_invariant", np.array(values), None if noise else (-bound, bound))
+    bound = float(np.quantile(np.abs(every), 0.999))
+    noise = style.is_noise("first_stress_invariant", every) or not bound
+    colors = style.color_scale("first_stress_invariant", every, None if noise else (-bound, bound))
     wall = flat_wall(arguments.folder)
     limits = style.box(np.concatenate([polygon for frame in outlines for polygon in frame]), wall)
 

@@ -66,7 +66,7 @@ def draw_plane(fields, frames, values, colors, wall, _):
     figure, grid = plt.subplots(rows, columns, sharex=True, sharey=True, squeeze=False, figsize=size,
                                 layout="compressed")
     for axes, frame, polygons, value in zip(grid.flat, frames, outlines, values):
-        body = draw_body(axes, polygons, fields.of_wholes(value), colors, limits, wall)
+        body = draw_body(axes, polygons, fields.of_wholes(value, frame), colors, limits, wall)
         axes.set_title(clock(fields, frame), pad=3)
         axes.tick_params(direction="out")
         if axes.get_subplotspec().is_first_col():
@@ -118,16 +118,17 @@ def main():
         wall = flat_wall(arguments.folder)
     frames = chosen_frames(fields, arguments.times, arguments.frames)
     values = [fields.element(arguments.field, frame) for frame in frames]
-    if not np.isfinite(values).all():
+    every = np.concatenate(values)
+    if not np.isfinite(every).all():
         raise ResultsError(f"{fields.path}: '{arguments.field}' has no value in some cells of the frames; a field of a "
                            "surface is drawn along it: ixos-plot RESULTS --along SET")
-    colors = style.color_scale(arguments.field, np.array(values), arguments.range)
+    colors = style.color_scale(arguments.field, every, arguments.range)
     draw = draw_plane if fields.dimension == 2 else draw_space
     figure, grid, body = draw(fields, frames, values, colors, wall, arguments.view)
     for axes in grid.flat[len(frames):]:
         axes.set_visible(False)
     label = style.field_label(arguments.field)
-    if not arguments.range and style.is_noise(arguments.field, np.array(values)):
+    if not arguments.range and style.is_noise(arguments.field, every):
         figure.suptitle("only rounding errors: drawn in one colour", fontsize=8)
     ends = "both" if arguments.range else "neither"
     bar = figure.colorbar(body, ax=grid, label=label, extend=ends, aspect=30, pad=0.02)

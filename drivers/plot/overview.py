@@ -96,7 +96,8 @@ def draw_configurations(figure, run, fields):
     width = style.output.width
     frames = frames_that_matter(run, fields, PANELS // 2 if width and width < NARROW else PANELS)
     values = [fields.element("first_stress_invariant", frame) for frame in frames]
-    colors = style.color_scale("first_stress_invariant", np.array(values))
+    every = np.concatenate(values)
+    colors = style.color_scale("first_stress_invariant", every)
     wall = flat_wall(run.folder)
     grid = figure.subplots(1, len(frames), sharey=True, squeeze=False)
     if fields.dimension == 3:
@@ -109,8 +110,8 @@ def draw_configurations(figure, run, fields):
         points = np.concatenate([polygon for frame in outlines for polygon in frame])
         arrows = arrows_of(reaction_vectors(run, fields, frames), style.box(points, wall))
         limits = style.box(np.concatenate([points] + [arrow[1][None] for arrow in arrows if arrow]), wall)
-        for axes, polygons, value in zip(grid.flat, outlines, values):
-            configurations.draw_body(axes, polygons, fields.of_wholes(value), colors, limits, wall)
+        for axes, frame, polygons, value in zip(grid.flat, frames, outlines, values):
+            configurations.draw_body(axes, polygons, fields.of_wholes(value, frame), colors, limits, wall)
             axes.set_xlabel(f"x {style.unit('length', 2)}")
         grid[0, 0].set_ylabel(f"y {style.unit('length', 2)}")
         for axes, arrow in zip(grid.flat, arrows):
@@ -119,7 +120,7 @@ def draw_configurations(figure, run, fields):
     for axes, frame in zip(grid.flat, frames):
         axes.set_title(configurations.clock(fields, frame), pad=3)
     label = style.field_label("first_stress_invariant")
-    if style.is_noise("first_stress_invariant", np.array(values)):
+    if style.is_noise("first_stress_invariant", every):
         label = "no stress"
     bar = figure.colorbar(plt.cm.ScalarMappable(norm=colors[1], cmap=colors[0]), ax=grid, label=label, aspect=12,
                           pad=0.02)

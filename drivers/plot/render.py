@@ -51,13 +51,14 @@ def require_screen():
 
 def body(fields, frame, values, colors):
     """Actors of the deformed body: its surface, a colour a cell, and the lines of its mesh or, if fine, its edges."""
+    cells = fields.on_mesh(frame)[0].cells
     points = vtkPoints()
-    points.SetData(numpy_to_vtk(fields.coordinates + fields.displacement(frame), deep=True))
+    points.SetData(numpy_to_vtk(fields.positions(frame), deep=True))
     grid = vtkUnstructuredGrid()
     grid.SetPoints(points)
-    counts = np.count_nonzero(fields.cells >= 0, axis=1)
+    counts = np.count_nonzero(cells >= 0, axis=1)
     grid.Allocate(len(counts))
-    for cell, count in zip(fields.cells, counts):
+    for cell, count in zip(cells, counts):
         kind, order = VTK_CELLS[count]
         grid.InsertNextCell(kind, len(order), cell[list(order)].tolist())
     grid.GetCellData().SetScalars(numpy_to_vtk(values, deep=True))
@@ -79,7 +80,7 @@ def body(fields, frame, values, colors):
     look.SetInterpolationToFlat()
     look.SetLineWidth(2)
     look.SetEdgeColor(*LINES)
-    if len(fields.cells) < 5000:
+    if len(cells) < 5000:
         look.EdgeVisibilityOn()
         return [actor]
     # The lines of a fine mesh would hide the colours.
@@ -131,7 +132,7 @@ def pictures(fields, frames, values, colors, wall, view=VIEW):
     """A picture (height, width, 3) of each frame, all seen from the direction `view`, without their common white
     margins."""
     require_screen()
-    positions = np.concatenate([fields.coordinates + fields.displacement(frame) for frame in frames])
+    positions = np.concatenate([fields.positions(frame) for frame in frames])
     low, high = positions.min(axis=0), positions.max(axis=0)
     if wall is not None and not isinstance(wall, tuple):
         low[2], high[2] = min(low[2], wall), max(high[2], wall)

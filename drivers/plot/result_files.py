@@ -93,7 +93,7 @@ class _Series:
 
     def __init__(self, path):
         paths = _parts_of(path)
-        expected = 1 if path.is_file() else int(paths[0].name.split(".")[2])
+        expected = 1 if path.is_file() else int(paths[0].name.split(".")[-2])
         if len(paths) != expected:
             raise FileError(f"{path}: the series has {len(paths)} files, not {expected}")
         self.parts = [_Part(own) for own in paths]
@@ -138,10 +138,20 @@ class _Series:
         return np.concatenate([part.values(kind, column, frame) for part in self.parts], -1)[..., self.order[kind]]
 
 
+def _numbered(folder, number):
+    """The file of that number, from 1: of a stage or of an exchanged simulation, or of another mesh."""
+    folder = pathlib.Path(folder)
+    if number == 1:
+        return folder / "fields.e"
+    of_stage = folder / f"fields-{number}.e"
+    return of_stage if _parts_of(of_stage) else folder / f"fields.e-s.{number:04}"
+
+
 class Fields:
     """The mesh and the fields of fields.e, or of its series of one file a rank. Needs netCDF4.
 
-    The frames of stages with other fields, which are in fields-2.e and so on, follow those of fields.e; a field that a
+    The frames of stages with other fields, which are in fields-2.e and so on, follow those of fields.e; those on other
+    meshes, in fields.e-s.0002 and so on, have Fields of their own, see meshes(). A field that a
     stage lacks is NaN there.
 
     times: of the frames. dimension: 2 or 3. points: reference coordinates, a row a node. cells: the nodes of each cell,
@@ -158,7 +168,7 @@ class Fields:
 
     def __init__(self, folder: str | pathlib.Path, number: int = 1):
         """number: that of the first file, if the mesh has changed: see meshes()."""
-        self.path = pathlib.Path(folder) / ("fields.e" if number == 1 else f"fields-{number}.e")
+        self.path = _numbered(folder, number)
         if not _parts_of(self.path):
             raise FileError(f"the file {self.path} does not exist, nor does a series {self.path}.N.0, ... (the scene "
                             "must set Output/Fields Interval to write one)")
@@ -169,7 +179,7 @@ class Fields:
         self.dimension = self.points.shape[1]
         self.next_number = None  # of the file with another mesh
         for later_number in itertools.count(number + 1):
-            path = self.path.parent / f"fields-{later_number}.e"
+            path = _numbered(folder, later_number)
             try:
                 later = _Series(path) if _parts_of(path) else None
             except FileError:  # the run still writes it, or was killed then

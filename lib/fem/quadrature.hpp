@@ -34,6 +34,17 @@ struct QuadratureRule {
   bool operator==(const QuadratureRule& other) const { return points == other.points && weights == other.weights; }
 };
 
+/// Returns the points of a rule with three coordinates, of which the last are 0 in fewer directions.
+template <std::size_t D>
+std::vector<std::array<double, 3>> places_of(const QuadratureRule<D>& rule) {
+  std::vector<std::array<double, 3>> places;
+  for (const std::array<double, D>& point : rule.points) {
+    places.emplace_back();
+    for (std::size_t i = 0; i < D; ++i) places.back()[i] = point[i];
+  }
+  return places;
+}
+
 /// Returns the product of Gauss rules with that many points along each direction, 1 to 64, the first direction fastest.
 template <std::size_t D>
 QuadratureRule<D> product_rule(const std::array<int, D>& along) {

@@ -116,6 +116,7 @@ CellPlaces add_cells(const DistributedMesh& mesh, const TouchingCells& touching,
     block.name = mesh.blocks[b].name;
     block.type = cell_type(mesh);
     block.global_cells = touching.global_cells[b];
+    block.number = static_cast<int>(b);
     local.global_cells += block.global_cells;
   }
   CellPlaces cells;

@@ -186,6 +186,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& given_owner, int ra
     here.high_rule = needs_high_rule(mesh, block);
     here.original_cells = cells[b];
     here.global_cells = block.cells();
+    here.number = static_cast<int>(b);
     local_cell.emplace_back(static_cast<std::size_t>(block.cells()), -1);
     for (int cell : cells[b]) {
       local_cell[b][static_cast<std::size_t>(cell)] = here.cells();

@@ -33,6 +33,7 @@ struct LocalBlock {
   bool high_rule = false;                ///< some cells are curved, or all are rings, see own_rule()
   std::vector<int> original_cells;       ///< per cell: its number in the block of the Mesh
   int global_cells = 0;                  ///< of the block, on all ranks
+  int number = 0;                        ///< among the blocks of the Mesh
   int cells() const { return static_cast<int>(owned.size()); }
 };
 

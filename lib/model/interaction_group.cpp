@@ -59,6 +59,12 @@ std::vector<double> InteractionGroup::gap() const {
   return gap;
 }
 
+std::vector<double> InteractionGroup::gap_of_both() const {
+  std::vector<double> both = gap();
+  for (const Interaction* term : terms_) term->reports().lower_facing_gap(at_, both.data());
+  return both;
+}
+
 std::vector<double> InteractionGroup::normal() const {
   std::vector<double> normal(static_cast<std::size_t>(space_.local()), 0.0);
   for (const Interaction* term : terms_) term->reports().set_nodal_normal(at_, normal.data());

@@ -26,6 +26,8 @@ class InteractionGroup {
   /// Returns the gap to the nearest obstacle [L0]; NaN away from the surfaces. Derivative nodes have the gap's
   /// derivative.
   std::vector<double> gap() const;
+  /// Returns the same with the gaps of the other bodies' surfaces.
+  std::vector<double> gap_of_both() const;
   /// Returns the unit normal of the obstacle at its point nearest to the node, away from the obstacle: a local array,
   /// zero away from the surfaces and at derivative nodes. Where several terms act on a node, it is that of the last.
   std::vector<double> normal() const;

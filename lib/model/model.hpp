@@ -147,6 +147,8 @@ class Model {
   StepMemories create_memories() const;
   /// Returns the number of histories and of memories.
   std::size_t slots() const { return slots_; }
+  /// Returns the name of each one's term; several may share one.
+  std::vector<std::string> slot_names() const;
   void initialize(const KnownState& start, TermHistories& histories) const;
   void begin_step(const StepStart& start, StepMemories& step) const;
   void begin_stage(const StageStart& start, StepMemories& step) const;

@@ -49,6 +49,13 @@ ModelWork Model::accept(const AcceptedStep& step, TermHistories& histories) cons
 
 /// Returns the name of a term's section. That of a history counts the histories of the same name only, so that it is
 /// found in a scene with other terms.
+std::vector<std::string> Model::slot_names() const {
+  std::vector<std::string> names(slots_);
+  for (const NamedTerm& own : terms_)
+    std::fill(names.begin() + static_cast<std::ptrdiff_t>(own.term->slot()), names.end(), own.name);
+  return names;
+}
+
 std::string Model::section_of(std::size_t term) const {
   if (!terms_[term].term->has_history()) return "term " + std::to_string(term + 1) + ", " + terms_[term].name;
   const auto count = std::count_if(

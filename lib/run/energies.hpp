@@ -9,6 +9,12 @@ struct Energies {
   double kinetic = 0, elastic = 0, contact = 0;  ///< elastic: with the springs of grips
   double total() const { return kinetic + elastic + contact; }
   double largest() const;  ///< magnitude of one of them
+  /// Adds the change from one state to another.
+  void add_change(const Energies& from, const Energies& to) {
+    kinetic += to.kinetic - from.kinetic;
+    elastic += to.elastic - from.elastic;
+    contact += to.contact - from.contact;
+  }
 };
 
 /// Collective.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "adapt/moved_histories.hpp"
 #include "adapt/moved_motion.hpp"
 #include "adapt/whole_field.hpp"
 #include "adapt/wished_splits.hpp"
@@ -26,9 +27,12 @@ Signs signs_of(const Simulation& simulation, const State& state, bool has_bulk) 
   const Comm& comm = simulation.model().space().comm();
   const int dimension = mesh.mesh().dimension, nodes = mesh.mesh().nodes();
   const StateReport report(simulation.model(), state);
-  for (const SceneInteraction& interaction : simulation.interactions())
-    signs.fronts.emplace_back(mesh, interaction.side_set, *interaction.law,
-                              whole_field(local, comm, report.interaction(interaction.node.name()).gap(), 1, nodes));
+  for (const SceneInteraction& interaction : simulation.interactions()) {
+    const std::vector<double> gaps =
+        whole_field(local, comm, report.interaction(interaction.node.name()).gap_of_both(), 1, nodes);
+    signs.fronts.emplace_back(mesh, interaction.side_set, *interaction.law, gaps);
+    if (interaction.is_pair()) signs.fronts.emplace_back(mesh, interaction.primary, *interaction.law, gaps);
+  }
   if (has_bulk && options.strain > 0)
     signs.bulk = std::make_unique<BulkStrain>(
         mesh, whole_field(local, comm, state.u, static_cast<std::size_t>(dimension), nodes),
@@ -50,6 +54,12 @@ std::shared_ptr<Simulation> moved(const Simulation& simulation, const CellSplits
   } catch (const InputError& error) {
     reason = error.what();
     return nullptr;
+  }
+  if (keeps_something(before.state().histories)) {
+    State state = integrator.state();
+    move_histories(simulation.split_mesh(), simulation.model(), before.state().histories, next->split_mesh(),
+                   next->model(), state.histories);
+    integrator.resume(state);
   }
   integrator.continue_works(before, 0);
   integrator.set_interaction_points(before.table().interaction_points);
@@ -85,7 +95,7 @@ std::shared_ptr<Simulation> MeshFollower::refined() {
   std::shared_ptr<Simulation> next =
       with(wished_splits(mesh, signs, options, simulation_.refined_places(), true), "coarse");
   if (!next) return nullptr;
-  changes_.energy += energies_of(*next).total() - energies_of(simulation_).total();
+  changes_.energy.add_change(energies_of(simulation_), energies_of(*next));
   ++changes_.count;
   ++changes_.repeated;
   ++repeats_;
@@ -108,7 +118,8 @@ std::shared_ptr<Simulation> MeshFollower::adapted(long step, double largest_ener
     if (joins && splits == too_dear_) continue;
     std::shared_ptr<Simulation> next = with(splits, joins ? "fine" : "coarse");
     if (!next) return nullptr;
-    const double change = energies_of(*next).total() - before.total();
+    const Energies after = energies_of(*next);
+    const double change = after.total() - before.total();
     const double coarsening = changes_.coarsening + (joins ? std::abs(change) : 0);
     if (joins && !(coarsening <= options.budget * scale)) {
       too_dear_ = splits;
@@ -120,7 +131,7 @@ std::shared_ptr<Simulation> MeshFollower::adapted(long step, double largest_ener
       continue;
     }
     changes_.coarsening = coarsening;
-    changes_.energy += change;
+    changes_.energy.add_change(before, after);
     ++changes_.count;
     return next;
   }
@@ -142,7 +153,9 @@ void MeshFollower::transfer(Record& record) {
   record.text(splits_name, splits);
   record.number("changes", changes_.count);
   record.number("repeated steps", changes_.repeated);
-  record.number("energy", changes_.energy);
+  record.number("kinetic energy", changes_.energy.kinetic);
+  record.number("elastic energy", changes_.energy.elastic);
+  record.number("contact energy", changes_.energy.contact);
   record.number("coarsening", changes_.coarsening);
   record.number("unknowns", changes_.unknowns);
   record.number("most unknowns", changes_.most_unknowns);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/record.hpp"
+#include "run/energies.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -13,8 +14,8 @@ namespace ixos {
 struct MeshChanges {
   long count = 0;
   long repeated = 0;      ///< of these: a step began anew on a finer mesh
-  double energy = 0;      ///< what all of them added to kinetic, elastic and interaction energy [E0 L0^D]
-  double coarsening = 0;  ///< sum of the magnitudes of those by joined cells
+  Energies energy;        ///< what all of them added [E0 L0^D]
+  double coarsening = 0;  ///< sum of the magnitudes of the changes by joined cells
   double unknowns = 0;    ///< sum over the accepted steps
   long long most_unknowns = 0;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string_view>
 #include <vector>
 
@@ -87,20 +88,17 @@ ReplacedResults look(const Simulation& simulation, const std::string& folder, bo
 }  // namespace
 
 NumberedResult numbered_result(const std::string& name) {
-  const auto dot = name.find('.');
-  if (dot == std::string::npos) return {};
-  const std::string first = name.substr(0, dot), rest = name.substr(dot);
-  const auto number = [&](const char* base) -> long {
-    if (first == base) return 1;
-    const std::string_view text = between(first, std::string(base) + "-", "");
-    return is_number(text) && text.size() < 9 ? std::stol(std::string(text)) : 0;
+  static const std::regex scene(R"(effective(?:-(\d{1,8}))?\.xml)"),
+      frames(R"(fields(?:-(\d{1,8})\.e|\.e-s\.(\d{1,8})|\.e)(?:\.\d+\.\d+)?)");
+  std::smatch found;
+  const auto number = [&found] {
+    for (std::size_t group = 1; group < found.size(); ++group)
+      if (found[group].matched) return std::stol(found[group]);
+    return 1L;
   };
-  if (rest == ".xml") return {0, number("effective")};
-  const std::string_view ranks = between(rest, ".e.", "");
-  const auto middle = ranks.find('.');
-  const bool is_frames = rest == ".e" || (middle != std::string_view::npos && is_number(ranks.substr(0, middle)) &&
-                                          is_number(ranks.substr(middle + 1)));
-  return {is_frames ? number("fields") : 0, 0};
+  if (std::regex_match(name, found, scene)) return {0, number()};
+  if (std::regex_match(name, found, frames)) return {number(), 0};
+  return {};
 }
 
 ReplacedResults replaced_results(const Simulation& simulation, const std::string& folder, bool overwrite) {

@@ -7,8 +7,8 @@
 namespace ixos {
 
 /// Returns to which simulation of a run a name in a results folder belongs, from 1, if it is that of frames or of a
-/// scene: fields.e and effective.xml of the first, fields-2.e and effective-2.xml of the second; fields.e.N.r is of
-/// rank r of N. Otherwise 0.
+/// scene: fields.e and effective.xml of the first, fields-2.e and effective-2.xml of the second; fields.e-s.0002 of the
+/// second mesh that follows the front; fields.e.N.r is of rank r of N. Otherwise 0.
 struct NumberedResult {
   long frames = 0, scene = 0;
 };

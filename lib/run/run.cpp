@@ -250,7 +250,7 @@ void Run::take_over_mesh(Run& before) {
   } catch (const FileError& error) {
     throw FileError(before.with_position(error.what()));
   }
-  files_.history().set_adapted(follower_.changes().energy);
+  files_.history().set_adapted(follower_.changes().energy.total());
   checkpoints_.go_on_from(before.checkpoints_);
   resumed_from_ = checkpoints_.newest();
   MemoryRecord::Values values;
@@ -574,7 +574,7 @@ void Run::transfer(Record& record) {
   watch_.transfer(record);
   measures_.transfer(record, files_.history());
   follower_.transfer(record);
-  if (record.loading()) files_.history().set_adapted(follower_.changes().energy);
+  if (record.loading()) files_.history().set_adapted(follower_.changes().energy.total());
   // Other steps or another scheme begin with their own.
   if (!record.loading() || record.same_scene()) control_.transfer(record);
 }

@@ -1,5 +1,7 @@
 #include "run/run_files.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -36,10 +38,14 @@ std::string RunFiles::numbered(const std::string& name, long exchanges, const st
   return folder_ + "/" + name + (exchanges == 0 ? "" : "-" + std::to_string(exchanges + 1)) + extension;
 }
 
-/// Frames of another mesh, or with other fields, need a file of their own.
+/// Frames of another mesh, or with other fields, need a file of their own. Viewers open those of a mesh that follows
+/// the front as one series by the name of the first.
 void RunFiles::name_frames() {
-  if (frames_.any())
-    fields_ = std::make_unique<FieldRecorder>(simulation_, numbered("fields", frame_files_, ".e"), scene_file_);
+  if (!frames_.any()) return;
+  const std::string name = simulation_.adaptation().on() && frame_files_ > 0
+                               ? fmt::format("{}-s.{:04}", numbered("fields", 0, ".e"), frame_files_ + 1)
+                               : numbered("fields", frame_files_, ".e");
+  fields_ = std::make_unique<FieldRecorder>(simulation_, name, scene_file_);
 }
 
 void RunFiles::go_on_from(RunFiles& before, bool on_other_mesh) {

@@ -88,7 +88,10 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
     const MeshChanges& changes = result.mesh_changes;
     json["mesh_changes"] = {{"count", changes.count},
                             {"repeated_steps", changes.repeated},
-                            {"energy", changes.energy},
+                            {"energy", changes.energy.total()},
+                            {"kinetic_energy", changes.energy.kinetic},
+                            {"elastic_energy", changes.energy.elastic},
+                            {"contact_energy", changes.energy.contact},
                             {"coarsening", changes.coarsening},
                             {"mean_dofs", changes.unknowns / static_cast<double>(std::max(result.steps, 1L))},
                             {"most_dofs", changes.most_unknowns}};

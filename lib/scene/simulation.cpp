@@ -136,7 +136,7 @@ Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector
   materials_ = read_materials(scene_node.sublist("Materials"));
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
-  adaptation_ = read_adaptation(scene_node, materials_, interactions_);
+  adaptation_ = read_adaptation(scene_node, interactions_);
   if (adaptation_.on() && stages().any())
     throw InputError("Mesh/Adapt: a mesh that follows the front does not go with Stages; set Levels to 0");
   build_model(comm, table.mass, splits);
@@ -296,8 +296,7 @@ Mesh Simulation::whole_mesh(const CellSplits* splits, Inertia inertia) {
   set_sizes_ = ixos::set_sizes(mesh);
   read_factor_fields(interactions_, parameters_.sublist("Mesh"), mesh);
   enrich_surfaces(interactions_, mesh);
-  if (mesh.dimension == 2 && adaptation_.directions.find('z') != std::string::npos)
-    throw InputError("Mesh/Adapt/Directions: \"z\" is no axis of a mesh of two dimensions; \"x\" and \"y\" are");
+  check_adaptation(adaptation_, interactions_, mesh);
   if (adaptation_.on()) split_mesh_ = std::make_unique<const SplitMesh>(std::move(base), mesh, std::move(tree));
   return mesh;
 }

@@ -1,5 +1,6 @@
 /// The history of one term, as a value.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct Column {
 struct PointColumns {
   std::vector<Column> columns;  ///< one after the other in the numbers of a point
   PointData values;
+  /// By point: its reference coordinates from -1 to 1 in the cell, or along the side, of two from the first of its
+  /// corners to the second and to the last. The others are 0.
+  std::vector<std::array<double, 3>> places{};
 
   bool operator==(const PointColumns& other) const { return values == other.values; }
 };

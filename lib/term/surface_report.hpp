@@ -68,6 +68,9 @@ class SurfaceReport {
   /// Lowers the numbers by local node to the gaps of the surface's nodes [L0]; NaN stands for no gap yet. At derivative
   /// nodes it is the gap's derivative, if this gap is the least at their corner.
   virtual void lower_nodal_gap(const Place& at, double* gap) const = 0;
+  /// Does the same for the surface of the other body, whose gaps are those to this one; nothing if there is none, or if
+  /// its nodes have gaps of their own.
+  virtual void lower_facing_gap(const Place& /*at*/, double* /*gap*/) const {}
 
   /// Sets the local array at the surface's nodes to the obstacle's unit normal, away from the obstacle, at its point
   /// nearest to the node. Leaves derivative nodes as they are.

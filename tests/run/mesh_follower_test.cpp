@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "mesh/selection.hpp"
 #include "run/restart_fixture.hpp"
 #include "study/common/history_table.hpp"
 #include "support/refusal.hpp"
@@ -17,15 +18,16 @@ std::string adapt(int levels, const std::string& more = "") {
   return list("Adapt", count("Levels", levels) + count("Interval", 4) + number("Budget", 1) + more);
 }
 
-/// A strip that is peeled off a wall at its right edge.
+/// A strip that is peeled off a wall at its right edge. `material`, `wall`: further parameters of these.
 std::string strip(const std::string& scheme, const std::string& mesh, double step, double end,
-                  const std::string& output = "", const std::string& element = "Q1C1") {
+                  const std::string& output = "", const std::string& element = "Q1C1", const std::string& material = "",
+                  const std::string& wall = "") {
   return list("Mesh",
               word("Type", "Box") + list("Box", numbers("Lengths", {12, 0.5}) + counts("Divisions", {12, 1})) + mesh) +
-         list("Materials", list("Rubber", number("Density", 0.01))) +
+         list("Materials", list("Rubber", number("Density", 0.01) + material)) +
          list("Interactions",
               list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.6368}) + number("Gamma L", 1) +
-                               number("Gamma W", 10) + word("Contact Element", element))) +
+                               number("Gamma W", 10) + word("Contact Element", element) + wall)) +
          list("Histories", list("Up", word("Type", "Ramp") + list("Ramp", number("Value", 2) + number("Length", 4)))) +
          list("Boundary Conditions",
               list("Pull", word("Node Set", "right") + word("Components", "y") + word("History", "Up")) +
@@ -210,6 +212,108 @@ TEST_F(MeshFollowerTest, BodiesInSpaceAndOfRevolutionFollow) {
       EXPECT_GT(result.mesh_changes.count, 0);
       EXPECT_LT(result.max_energy_error, error * result.largest_energy);
     }
+}
+
+const std::string branches =
+    list("Maxwell Branches", numbers("Relaxation Times", {0.05, 2}) + numbers("Moduli", {0.4, 0.2}));
+const std::string friction = list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.3));
+
+/// Expects that the balance with what was dissipated and what changes of the mesh added is closed.
+void expect_closed(const HistoryTable& rows, double largest) {
+  const std::vector<double>&total = rows.column("total_energy"), &work = rows.column("external_work"),
+        &adapted = rows.column("adapted_energy"), &lost = rows.column("dissipated_energy");
+  for (std::size_t k = 0; k < rows.rows(); ++k) {
+    EXPECT_NEAR(total[k] + lost[k] - work[k] - adapted[k], total[0], 1e-11 * largest) << k;
+    if (k > 0) {
+      EXPECT_GE(lost[k], lost[k - 1] - 1e-13 * largest) << k;
+    }
+  }
+}
+
+TEST_F(MeshFollowerTest, WhatPointsKeepGoesAlong) {
+  for (const auto& [what, material, wall] :
+       {std::tuple("branches", branches, std::string()),
+        std::tuple("viscosity", number("Viscosity", 0.1), std::string()),
+        std::tuple("friction", std::string(), friction), std::tuple("both", branches, friction)}) {
+    SCOPED_TRACE(what);
+    const std::string output = checkpoints(7, 100) + count("Fields Interval", 5);
+    const RunResult whole =
+        expect_goes_on(strip("Average Vector Field", adapt(2), 0.05, 1.5, output, "Q1C1", material, wall), {7, 14, 28});
+    EXPECT_GT(whole.mesh_changes.count, 3);
+    world()->barrier();
+    const HistoryTable rows = table("whole");
+    EXPECT_GT(rows.column("dissipated_energy").back(), 1e-6 * whole.largest_energy);
+    expect_closed(rows, whole.largest_energy);
+  }
+}
+
+TEST_F(MeshFollowerTest, DamageGoesAlong) {
+  std::string scene = strip("Newmark", adapt(2), 0.02, 3, checkpoints(30, 100));
+  const std::string wall = numbers("Point", {0, -0.6368}) + number("Gamma L", 1) + number("Gamma W", 10);
+  scene.replace(scene.find(wall), wall.size(),
+                word("Law", "Bilinear Damage") +
+                    list("Bilinear Damage",
+                         number("Work of Adhesion", 0.02) + number("Strength", 0.05) + number("Stiffness", 0.5)));
+  const RunResult whole = expect_goes_on(scene, {30, 60, 90});
+  EXPECT_GT(whole.mesh_changes.count, 3);
+}
+
+/// Two strips that stick to each other and are peeled apart at their right edges.
+std::string two_strips(const std::string& scheme, const std::string& mesh, const std::string& pair, double end,
+                       const std::string& output = "") {
+  const auto part = [](const char* name, double lower) {
+    return list(name, word("Type", "Box") + list("Box", numbers("Lower", {0, lower}) + numbers("Lengths", {12, 0.5}) +
+                                                            counts("Divisions", {12, 1})));
+  };
+  const auto rubber = [](const char* block) { return list(block, word("Block", block) + number("Density", 0.01)); };
+  const auto ramp = [](const char* name, double value) {
+    return list(name, word("Type", "Ramp") + list("Ramp", number("Value", value) + number("Length", 4)));
+  };
+  const auto pull = [](const char* side, const char* history) {
+    return list(side, word("Node Set", side) + word("Components", "y") + word("History", history)) +
+           list(std::string(side) + " guide", word("Node Set", side) + word("Components", "x"));
+  };
+  return list("Mesh", word("Type", "Parts") + list("Parts", part("upper", 0.3184) + part("lower", -0.8184)) + mesh) +
+         list("Materials", rubber("upper_body") + rubber("lower_body")) +
+         list("Interactions", list("Bond", word("Side Set", "upper_bottom") + word("Primary Side Set", "lower_top") +
+                                               number("Gamma L", 1) + number("Gamma W", 10) + pair)) +
+         list("Histories", ramp("Up", 1) + ramp("Down", -1)) +
+         list("Boundary Conditions", pull("upper_right", "Up") + pull("lower_right", "Down")) +
+         list("Output", output + texts("Reactions", "{upper_right}")) +
+         list("Time Integrator", word("Type", scheme) + steps(0.05, end));
+}
+
+TEST_F(MeshFollowerTest, BothSurfacesOfAPairFollow) {
+  for (const char* passes : {"One", "Two"}) {
+    SCOPED_TRACE(passes);
+    const RunResult whole = expect_goes_on(
+        two_strips("Average Vector Field", adapt(2), word("Passes", passes), 1.5, checkpoints(10, 100)), {10, 20});
+    EXPECT_GT(whole.mesh_changes.count, 2);
+    EXPECT_LT(whole.max_energy_error, 1e-5 * whole.largest_energy);  // closest points pass from side to side
+    Simulation simulation(test::scene(two_strips("Newmark", adapt(2), word("Passes", passes), 1)), world());
+    RunOptions options;
+    options.folder = folder("last");
+    options.overwrite = true;
+    std::shared_ptr<Simulation> last;
+    options.stage = [&](const std::shared_ptr<Simulation>& next) { last = next; };
+    EXPECT_EQ(run(simulation, options).status, RunStatus::Completed);
+    ASSERT_TRUE(last);
+    const Mesh& mesh = last->split_mesh().mesh();
+    const std::size_t upper = side_set_named(mesh, "upper_bottom").sides.size(),
+                      lower = side_set_named(mesh, "lower_top").sides.size();
+    EXPECT_GT(upper, 12U);
+    EXPECT_GT(lower, 12U);
+    if (passes == std::string("Two")) {
+      EXPECT_EQ(upper, lower) << "the scene is symmetric";
+    }
+  }
+}
+
+TEST_F(MeshFollowerTest, FrictionOfAPairGoesAlong) {
+  const std::string pair = word("Passes", "Two") + number("Cutoff", 2) +
+                           list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.3));
+  const RunResult whole = expect_goes_on(two_strips("Newmark", adapt(2), pair, 1.5, checkpoints(10, 100)), {10, 20});
+  EXPECT_GT(whole.mesh_changes.count, 2);
 }
 
 TEST_F(MeshFollowerTest, ACheckpointOfAnotherKindIsRefused) {

@@ -5,6 +5,8 @@
 #include "adapt/front.hpp"
 #include "base/error.hpp"
 #include "interaction/gap_law.hpp"
+#include "mesh/cell_sides.hpp"
+#include "mesh/selection.hpp"
 #include "parameters/one_of.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
@@ -46,6 +48,14 @@ const Options<AdaptOptions>& options() {
   return all;
 }
 
+/// Returns whether a side of the pair's surfaces has no nodes but its corners.
+bool has_linear_sides(const Mesh& mesh, const SceneInteraction& interaction) {
+  for (const std::string& surface : {interaction.side_set, interaction.primary})
+    for (const Side& side : side_set_named(mesh, surface).sides)
+      if (nodes_of_side(mesh, side).size() <= 4) return true;
+  return false;
+}
+
 }  // namespace
 
 void declare_adaptation(Teuchos::ParameterList& mesh) {
@@ -60,8 +70,7 @@ void declare_adaptation(Teuchos::ParameterList& mesh) {
            one_of({"all", "x", "y", "z", "xy", "xz", "yz"}));
 }
 
-AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<Material>& materials,
-                             const std::vector<SceneInteraction>& interactions) {
+AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<SceneInteraction>& interactions) {
   const SceneNode mesh = scene.sublist("Mesh"), node = mesh.sublist(name);
   AdaptOptions result = options().read(node);
   if (const std::string& axes = node.text(directions); axes != "all") result.directions = axes;
@@ -72,17 +81,12 @@ AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<Material>
   const std::string off = "set Levels to 0, or use Mesh/Refine";
   for (const char* list : {"Ties", "Periodic"})
     if (!mesh.sublist(list).sublists().empty()) refuse(mesh.path_of(list), off);
-  const std::vector<SceneNode> lists = scene.sublist("Materials").sublists();
-  for (std::size_t i = 0; i < materials.size(); ++i)
-    if (!materials[i].branches.empty())
-      refuse(lists[i].path_of("Maxwell Branches") + ", whose history stays at the points of its cells", off);
   bool has_front = result.strain > 0;
   for (const SceneInteraction& interaction : interactions) {
     const std::string path = interaction.node.path();
-    if (interaction.friction.type != FrictionType::None)
-      refuse(path + "/Friction, whose slip stays at the points of its faces", off);
-    if (interaction.law->has_history()) refuse(path + ", whose law has a history", off);
-    if (interaction.is_pair()) refuse(path + ", an interaction of two bodies", off);
+    if (interaction.is_with_itself()) refuse(path + ", a surface that interacts with itself", off);
+    if (interaction.is_pair() && interaction.passes == Passes::DoubleIntegral)
+      refuse(path + "/Passes Double Integral, which has no gap", "choose \"Two\"");
     if (interaction.element == ContactElement::Q1CH) refuse(path + "/Contact Element Q1CH", "choose Q1C4");
     if (!interaction.factor_field.empty()) refuse(path + "/Factor Field", "give a Factor");
     has_front = has_front || strength(*interaction.law) > 0;
@@ -91,6 +95,20 @@ AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<Material>
     throw InputError(
         fmt::format("{}: nothing tells where cells are split: no interaction attracts, and Strain is 0", node.path()));
   return result;
+}
+
+void check_adaptation(const AdaptOptions& options, const std::vector<SceneInteraction>& interactions,
+                      const Mesh& mesh) {
+  if (!options.on()) return;
+  if (mesh.dimension == 2 && options.directions.find('z') != std::string::npos)
+    throw InputError("Mesh/Adapt/Directions: \"z\" is no axis of a mesh of two dimensions; \"x\" and \"y\" are");
+  if (mesh.dimension == 2) return;  // the ends of sides are corners of their neighbours, whatever their sizes
+  for (const SceneInteraction& interaction : interactions)
+    if (interaction.is_pair() && interaction.smoothing != Smoothing::None && has_linear_sides(mesh, interaction))
+      throw InputError(
+          fmt::format("{}/Smoothing: curved patches do not close where cells of two sizes meet, and Mesh/Adapt makes "
+                      "such cells; choose \"None\", or quadratic cells",
+                      interaction.node.path()));
 }
 
 }  // namespace ixos

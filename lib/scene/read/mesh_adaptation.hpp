@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "adapt/options.hpp"
-#include "model/material.hpp"
+#include "mesh/mesh.hpp"
 #include "parameters/scene_node.hpp"
 #include "scene/read/interactions.hpp"
 
@@ -15,7 +15,9 @@ void declare_adaptation(Teuchos::ParameterList& mesh);
 
 /// Returns the settings of a scene's list "Mesh/Adapt". Throws InputError, with the path, for a scene that has what no
 /// change of the mesh carries along.
-AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<Material>& materials,
-                             const std::vector<SceneInteraction>& interactions);
+AdaptOptions read_adaptation(const SceneNode& scene, const std::vector<SceneInteraction>& interactions);
+
+/// Throws InputError for settings that the mesh does not allow.
+void check_adaptation(const AdaptOptions& options, const std::vector<SceneInteraction>& interactions, const Mesh& mesh);
 
 }  // namespace ixos

@@ -35,6 +35,8 @@ class BodyCells {
   /// Returns the numbers of batches, of points of a batch, and of cells.
   std::size_t size() const { return owned_.size(); }
   std::size_t points() const { return points_; }
+  /// Returns the reference coordinates of the points, see PointColumns.
+  const std::vector<std::array<double, 3>>& places() const { return places_; }
   std::size_t cells() const { return cells_; }
   std::size_t lanes(std::size_t b) const { return std::min(width, cells_ - b * width); }
   /// Returns the number of a lane's cell in the block.
@@ -86,6 +88,7 @@ class BodyCells {
   std::size_t cells_ = 0, points_ = 0;
   bool has_default_points_ = false;
   std::vector<Pack> weights_, owned_;
+  std::vector<std::array<double, 3>> places_;
 };
 
 /// Returns the cells of one block; `points` as for make_elastic_term(). A separate file defines each.

@@ -34,6 +34,7 @@ class BodyCellsOf final : public BodyCells<SpaceOf<Element>> {
     this->cells_ = cells_of_.batches.cells();
     this->points_ = cells_of_.table.size();
     this->has_default_points_ = cell_rule<Element>(block, points) == mass_rule<Element>();
+    this->places_ = places_of(cell_rule<Element>(block, points));
     this->owned_ = cells_of_.owned;
     for (const auto& geometry : cells_of_.geometry)
       for (const auto& point : geometry.points) this->weights_.push_back(point.weight);

@@ -46,8 +46,9 @@ class BranchPoints {
       : branches_(branches), relaxed_(block, points, branches.size() * size + 1) {}
 
   /// Returns the history of the undeformed, relaxed state. Nothing is dissipated yet.
-  TermHistory history() const {
-    PointColumns columns{{}, relaxed_};  // one transfer, which may throw
+  /// `places`: see PointColumns.
+  TermHistory history(const std::vector<std::array<double, 3>>& places) const {
+    PointColumns columns{{}, relaxed_, places};  // one transfer, which may throw
     for (std::size_t n = 0; n < branches_.size(); ++n)
       columns.columns.push_back({fmt::format("branch {}", n + 1), ColumnKind::UnimodularTensor, size});
     columns.columns.push_back({"dissipated", ColumnKind::Growing, 1});

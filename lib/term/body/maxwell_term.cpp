@@ -39,7 +39,7 @@ class MaxwellTerm final : public Viscoelasticity {
   void place(const Pattern& pattern) override { cells_->place(pattern); }
 
   void initialize(const KnownState&, TermHistories& histories) const override {
-    histories.of(slot()) = points_.history();
+    histories.of(slot()) = create_history();
   }
 
   void begin_stage(const StageStart& start, StepMemories& step) const override {
@@ -194,7 +194,7 @@ class MaxwellTerm final : public Viscoelasticity {
   }
 
  protected:
-  TermHistory create_history() const override { return points_.history(); }
+  TermHistory create_history() const override { return points_.history(cells_->places()); }
   std::unique_ptr<StepMemory> create_memory() const override {
     auto memory = std::make_unique<Memory>();
     memory->steps = frozen_;

@@ -204,7 +204,7 @@ class ViscousTerm final : public Viscosity {
 
  protected:
   TermHistory create_history() const override {
-    return {{{{{"dissipated", ColumnKind::Growing, 1}}, nothing_}}, {}, {}};
+    return {{{{{"dissipated", ColumnKind::Growing, 1}}, nothing_, cells_->places()}}, {}, {}};
   }
   std::unique_ptr<StepMemory> create_memory() const override { return std::make_unique<Memory>(); }
 

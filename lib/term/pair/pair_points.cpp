@@ -67,7 +67,8 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       owns_secondary_(patches_with_own_nodes(surfaces_.secondary, mesh)),
       owns_primary_(patches_with_own_nodes(surfaces_.primary, mesh)),
       search_(surfaces_, law_->equilibrium_gap(), overlap_) {
-  const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(secondary().points_along(options.points));
+  along_ = secondary().points_along(options.points);
+  const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(along_);
   per_patch_ = on_a_patch.size();
   const std::vector<double> rest(coordinates_.size(), 0.0);
   const std::vector<Vec<D>> x = places(rest.data()).secondary;
@@ -88,6 +89,16 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       points_.push_back({patch.weights(xi), factor * area, area});
     }
   }
+}
+
+template <std::size_t D>
+std::vector<std::array<double, 3>> PairPoints<D>::places_along_sides() const {
+  std::vector<std::array<double, 3>> places;
+  for (const PatchPoint<D>& point : patch_points<D>(along_)) {
+    places.emplace_back();
+    for (std::size_t i = 0; i + 1 < D; ++i) places.back()[i] = 2 * point.xi[i] - 1;
+  }
+  return places;
 }
 
 template <std::size_t D>

@@ -145,6 +145,8 @@ class PairPoints {
   const GapLaw& law() const { return *law_; }
   bool is_positive() const { return law_->domain() == GapDomain::Positive; }
   std::size_t points_of_a_patch() const { return per_patch_; }
+  /// Returns the reference coordinates of the points of a patch, see PointColumns.
+  std::vector<std::array<double, 3>> places_along_sides() const;
   std::size_t index(const Contact& c) const { return c.patch * per_patch_ + c.point; }
 
  private:
@@ -193,6 +195,7 @@ class PairPoints {
   bool reacts_;
   PairOverlap<D> overlap_;
   std::size_t per_patch_;
+  int along_;  ///< points of a patch in each direction
   std::vector<Point> points_;
   std::vector<char> owns_secondary_, owns_primary_;  ///< by patch: some node is this rank's
   // The results of the last search and of the last evaluation save time. Results depend on them by rounding errors at

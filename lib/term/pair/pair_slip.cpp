@@ -67,7 +67,7 @@ PairSlip<D>::PairSlip(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::shar
 
 template <std::size_t D>
 TermHistory PairSlip<D>::history() const {
-  return slip_history(D, nothing_);
+  return slip_history(D, nothing_, points_.places_along_sides());
 }
 
 template <std::size_t D>

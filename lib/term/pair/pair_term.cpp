@@ -251,6 +251,17 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
     });
   }
 
+  void lower_facing_gap(const Place& here, double* gap) const override {
+    if (is_one_surface()) return;
+    const Places x = points_.places(here.u);
+    const PlacedSurface<D> secondary(points_.secondary().patches, x.secondary);
+    for (std::size_t i = 0; i < x.primary.size(); ++i) {
+      const auto node = static_cast<std::size_t>(points_.primary().nodes[i]);
+      const double own = secondary.nearest(x.primary[i]).gap;
+      if (!(gap[node] <= own)) gap[node] = own;
+    }
+  }
+
   void set_nodal_normal(const Place& here, double* normal) const override {
     for_each_node(here, [&](std::size_t node, const SurfaceProjection<D>& projection) {
       for (std::size_t i = 0; i < D; ++i) normal[D * node + i] = projection.normal[i];

@@ -29,7 +29,7 @@ class CurvedPoints {
                const std::shared_ptr<const GapLaw>& law, std::shared_ptr<const Obstacle> obstacle)
       : obstacle_(std::move(obstacle)),
         sides_(std::move(sides)),
-        laws_(mesh, group, sides_->points(), law),
+        laws_(mesh, group, sides_->reference_places(), law),
         range_(law->range()) {}
 
   /// The force and its derivative at a quadrature point, times the measure.

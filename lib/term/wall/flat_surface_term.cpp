@@ -22,7 +22,7 @@ class FlatSurfaceTerm final : public SurfaceInteractionTerm<FlatSurfaceTerm<D>> 
  public:
   FlatSurfaceTerm(const LocalMesh& mesh, const std::vector<LocalSide>& group, std::unique_ptr<Sides> sides,
                   const std::shared_ptr<const GapLaw>& law, double margin)
-      : margin_(margin), sides_(std::move(sides)), laws_(mesh, group, sides_->points(), law) {}
+      : margin_(margin), sides_(std::move(sides)), laws_(mesh, group, sides_->reference_places(), law) {}
 
   void place(const Pattern& pattern) override { sides_->place(pattern); }
 

@@ -60,7 +60,7 @@ class FrictionPoints {
   const Obstacle& obstacle() const { return *obstacle_; }
 
   /// Returns the history of points that never slid.
-  TermHistory history() const { return slip_history(D, nothing_); }
+  TermHistory history() const { return slip_history(D, nothing_, sides_->reference_places()); }
   /// Freezes the state of a step's start; a displacement since then will have taken the time `length` [T0].
   void begin(const double* u, double length, const TermHistory& history, Memory& step) const;
   /// Sets the time that a displacement will have taken, for a stage.

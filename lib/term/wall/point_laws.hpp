@@ -1,5 +1,6 @@
 /// The law at the quadrature points of a surface.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -19,14 +20,15 @@ namespace ixos {
 /// A law, and what a law with a history keeps at the points: a number each, in a TermHistory. See HasHistory.
 class PointLaws {
  public:
-  /// `points`: quadrature points of a side. Points begin without a past.
-  PointLaws(const LocalMesh& mesh, const std::vector<LocalSide>& sides, std::size_t points,
-            std::shared_ptr<const GapLaw> law)
+  /// `places`: of the quadrature points along a side, see PointColumns. Points begin without a past.
+  PointLaws(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+            const std::vector<std::array<double, 3>>& places, std::shared_ptr<const GapLaw> law)
       : law_(std::move(law)), domain_(law_->domain()) {
     equilibrium_gap_ = law_->equilibrium_gap();
     adhesion_gap_ = law_->adhesion_gap();
     if (!law_->has_history()) return;
-    without_past_.emplace(mesh, sides, points, 1);
+    places_ = places;
+    without_past_.emplace(mesh, sides, places.size(), 1);
     without_past_->fill(law_->first(Pack(0.0))[0]);
   }
 
@@ -62,7 +64,7 @@ class PointLaws {
 
   TermHistory history() const {
     if (!has_history()) return {};
-    return {{{{{"history of the law", ColumnKind::Growing, 1}}, *without_past_}}, {}, {}};
+    return {{{{{"history of the law", ColumnKind::Growing, 1}}, *without_past_, places_}}, {}, {}};
   }
   /// Begins the history of a point at a gap [L0].
   void begin(Pack& history, const Pack& gap) const { history = law_->first(gap); }
@@ -78,6 +80,7 @@ class PointLaws {
   GapDomain domain_;
   double equilibrium_gap_ = 0, adhesion_gap_ = 0;
   std::optional<PointData> without_past_;
+  std::vector<std::array<double, 3>> places_;
 };
 
 /// The base of an interaction `Owner` of a surface with an obstacle. The owner calls it its friend and has laws_, a

@@ -38,6 +38,7 @@ class SurfaceSides : public Interface {
         batches_(node_table(sides), pattern, scale_table(mesh, sides)) {
     for (const LocalSide& side : sides) numbers_.push_back({side.block, side.cell, side.side});
     this->sides_ = sides.size();
+    this->places_ = places_of(rule(points));
     for (const auto& shape : quadrature_.value) {
       double total = 0;
       for (const double value : shape) total += std::abs(value);

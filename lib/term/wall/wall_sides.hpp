@@ -47,6 +47,8 @@ class WallSides {
   /// Returns the numbers of batches, and of quadrature points of a side.
   std::size_t size() const { return owned_.size(); }
   std::size_t points() const { return total_shape_.size(); }
+  /// Returns the reference coordinates of the points along a side, see PointColumns.
+  const std::vector<std::array<double, 3>>& reference_places() const { return places_; }
   /// Returns the number of sides of a batch.
   std::size_t lanes(std::size_t b) const { return std::min(width, sides_ - b * width); }
   /// Returns 1 for sides that count on this rank, otherwise 0.
@@ -78,6 +80,7 @@ class WallSides {
   std::vector<Pack> measure_;        ///< batches x quadrature points
   std::vector<Pack> area_;           ///< the measure without the factor; empty if there is none
   std::vector<double> total_shape_;  ///< by quadrature point
+  std::vector<std::array<double, 3>> places_;
 };
 
 /// Sides before a flat wall, where gaps are linear in the displacement and forces have the direction of its normal.

@@ -49,14 +49,41 @@ TEST(MeshAdaptationTest, WhatDoesNotGoOnIsRefused) {
     test::expect_contains(refusal(scene), words);
   };
   expect(block(on, ""), "nothing tells where cells are split");
-  expect(block(on, " ", list("Maxwell Branches", numbers("Relaxation Times", {2}) + numbers("Moduli", {0.4}))),
-         "Materials/Rubber/Maxwell Branches");
-  expect(block(on, list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.5))),
-         "Interactions/Wall/Friction");
   expect(block(on, word("Contact Element", "Q1CH")), "choose Q1C4");
   expect(block(on, " ") + list("Stages", list("A", "") + list("B", "")), "does not go with Stages");
   EXPECT_NE(refusal(block(count("Levels", 13), " ")), "");
   EXPECT_EQ(refusal(block(on + number("Strain", 0.1), "")), "");
+}
+
+/// Two blocks, one above the other.
+std::string two_blocks(int dimension, const std::string& pair, const std::string& mesh = "") {
+  const auto part = [&](const char* name, double lower) {
+    std::vector<double> corner(static_cast<std::size_t>(dimension), 0.0);
+    corner.back() = lower;
+    const std::vector<double> lengths(corner.size(), 2.0);
+    const std::vector<int> divisions(corner.size(), 2);
+    return list(name, word("Type", "Box") +
+                          list("Box", count("Dimension", dimension) + numbers("Lower", corner) +
+                                          numbers("Lengths", lengths) + test::counts("Divisions", divisions)));
+  };
+  const auto rubber = [](const char* block) { return list(block, word("Block", block) + number("Density", 1)); };
+  return list("Mesh", word("Type", "Parts") + list("Parts", part("one", 0) + part("two", 3)) +
+                          list("Adapt", count("Levels", 2)) + mesh) +
+         list("Materials", rubber("one_body") + rubber("two_body")) + list("Interactions", list("Bond", pair)) +
+         test::time_integrator("Newmark", 0.1, 1);
+}
+
+TEST(MeshAdaptationTest, PairsInSpaceNeedSurfacesThatClose) {
+  const std::string between = word("Side Set", "one_top") + word("Primary Side Set", "two_bottom"),
+                    in_space = word("Side Set", "one_top") + word("Primary Side Set", "two_bottom");
+  EXPECT_EQ(refusal(two_blocks(2, between)), "");
+  test::expect_contains(refusal(two_blocks(3, in_space)), "Interactions/Bond/Smoothing: curved patches do not close");
+  EXPECT_EQ(refusal(two_blocks(3, in_space + word("Smoothing", "None"))), "");
+  EXPECT_EQ(refusal(two_blocks(3, in_space, count("Cell Order", 2))), "");
+  test::expect_contains(refusal(two_blocks(2, between + word("Passes", "Double Integral"))), "choose \"Two\"");
+  test::expect_contains(refusal(two_blocks(2, word("Side Set", "one_top") + word("Primary Side Set", "one_top") +
+                                                  number("Exclusion", 1) + number("Cutoff", 0.5))),
+                        "a surface that interacts with itself");
 }
 
 TEST(MeshAdaptationTest, OtherCellsAreRefused) {

@@ -16,7 +16,7 @@ const DamageLaw law(0.5, 0.05, 0.8);
 TEST(PointLawsTest, ALawWithoutAHistoryKeepsNothing) {
   const LocalMesh mesh = test::box_part(2, ContactElement::Q1C1);
   const auto whole = gap_law(VanDerWaals(2.5, 25));
-  const PointLaws laws(mesh, mesh.side_sets[mesh.side_set("bottom")], 3, whole);
+  const PointLaws laws(mesh, mesh.side_sets[mesh.side_set("bottom")], std::vector<std::array<double, 3>>(3), whole);
   EXPECT_FALSE(laws.has_history());
   EXPECT_TRUE(laws.history().points.empty());
   const PointLaws::Kept kept = laws.in(nullptr, 0);
@@ -28,7 +28,7 @@ TEST(PointLawsTest, EachPointHasAHistory) {
   const LocalMesh mesh = test::box_part(2, ContactElement::Q1C1);
   const std::vector<LocalSide>& sides = mesh.side_sets[mesh.side_set("bottom")];
   if (sides.empty()) return;  // on this rank
-  const PointLaws laws(mesh, sides, 2, gap_law(law));
+  const PointLaws laws(mesh, sides, std::vector<std::array<double, 3>>(2), gap_law(law));
   TermHistories histories({laws.history()});
   PointData& kept = histories.of(0).points.front().values;
   EXPECT_EQ(double(laws.in(&histories, 0).at(0, 0).traction(0.05)[0]),

@@ -1,0 +1,203 @@
+#include "adapt/moved_histories.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/all_to_all.hpp"
+#include "fem/cell_info.hpp"
+#include "state/moved.hpp"
+
+namespace ixos {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Returns what tells columns from others of their cells or sides. A cell has one material; a side may have several
+/// interactions.
+std::string kind_of(const std::string& term, bool on_sides, const PointColumns& columns) {
+  std::string kind = on_sides ? term : "";
+  for (const Column& column : columns.columns) kind += '\n' + column.name;
+  return kind;
+}
+
+std::array<double, 3> mean(const std::array<double, 3>& a, const std::array<double, 3>& b, double share) {
+  std::array<double, 3> result;
+  for (std::size_t i = 0; i < 3; ++i) result[i] = (1 - share) * a[i] + share * b[i];
+  return result;
+}
+
+/// The cells and sides of a mesh, and the points on them, in the trees.
+class Places {
+ public:
+  explicit Places(const SplitMesh& mesh) : mesh_(mesh) {}
+
+  /// Returns the point of a cell or a side at reference coordinates, see PointColumns.
+  RootPoint point(const PointOwner& owner, const std::array<double, 3>& place) const {
+    const SplitMesh::Cell cell{owner.block, owner.cell};
+    return mesh_.root_point(cell, owner.side < 0 ? place : on_side(owner, place));
+  }
+  int leaf(const PointOwner& owner) const { return mesh_.leaf_of({owner.block, owner.cell}); }
+  /// Returns the face of the whole cell: twice the axis across it, and the end; -1 for a cell.
+  int face(const PointOwner& owner) const {
+    if (owner.side < 0) return -1;
+    const RootPoint a = point(owner, {-1, -1, 0}), b = point(owner, {1, 1, 0});
+    for (int axis = 0; axis < mesh_.mesh().dimension; ++axis)
+      if (a.at[at(axis)] == b.at[at(axis)]) return 2 * axis + (a.at[at(axis)] > 0 ? 1 : 0);
+    return -1;
+  }
+
+ private:
+  std::array<double, 3> on_side(const PointOwner& owner, const std::array<double, 3>& place) const {
+    const CellType type = mesh_.mesh().blocks[at(owner.block)].type;
+    const auto corners = side_nodes(corner_type(type), owner.side);
+    const auto corner = [&](std::size_t k) { return *reference_place(type, at(corners[k])); };
+    const double s = (1 + place[0]) / 2, t = (1 + place[1]) / 2;
+    if (mesh_.mesh().dimension == 2) return mean(corner(0), corner(1), s);
+    return mean(mean(corner(0), corner(1), s), mean(corner(3), corner(2), s), t);
+  }
+
+  const SplitMesh& mesh_;
+};
+
+/// Returns the columns of a term with the numbers of all ranks; a cell that several have may come twice. Collective.
+PointColumns gathered(const PointColumns& own, const Comm& comm) {
+  const PointData& data = own.values;
+  const std::size_t size = data.points() * data.numbers();
+  std::vector<double> mine;
+  const std::vector<double> values = data.cell_by_cell();
+  for (std::size_t cell = 0; cell < data.owners().size(); ++cell) {
+    const PointOwner& owner = data.owners()[cell];
+    for (const int number : {owner.block, owner.cell, owner.side, owner.part}) mine.push_back(number);
+    mine.insert(mine.end(), values.begin() + static_cast<std::ptrdiff_t>(cell * size),
+                values.begin() + static_cast<std::ptrdiff_t>((cell + 1) * size));
+  }
+  constexpr std::size_t head = 4;
+  std::vector<PointOwner> owners;
+  std::vector<const double*> rows;
+  const auto all = all_to_all(std::vector<std::vector<double>>(at(comm->getSize()), mine), comm);
+  for (const std::vector<double>& share : all)
+    for (std::size_t i = 0; i < share.size(); i += head + size) {
+      const auto number = [&](std::size_t k) { return static_cast<int>(share[i + k]); };
+      owners.push_back({number(0), number(1), number(2), number(3)});
+      rows.push_back(&share[i + head]);
+    }
+  PointColumns result{own.columns, PointData(owners, data.points(), data.numbers()), own.places};
+  for (std::size_t cell = 0; cell < rows.size(); ++cell) result.values.set_cell(cell, rows[cell]);
+  return result;
+}
+
+constexpr double same = 1e-10;  ///< difference of reference coordinates up to which two are one
+
+/// Returns the shares of the points of a tensor grid in a point, which lies among them or beyond.
+std::vector<PointShare> shares_of(const std::vector<RootPoint>& grid, std::size_t cell, const RootPoint& point) {
+  struct Neighbour {
+    double coordinate, weight;
+  };
+  std::array<std::vector<Neighbour>, 3> along;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double below = -HUGE_VAL, above = HUGE_VAL;
+    for (const RootPoint& known : grid) {
+      const double x = known.at[axis];
+      if (x <= point.at[axis] + same) below = std::max(below, x);
+      if (x >= point.at[axis] - same) above = std::min(above, x);
+    }
+    if (below == -HUGE_VAL) below = above;
+    if (above == HUGE_VAL || above - below <= 2 * same) above = below;
+    const double share = above == below ? 0 : (point.at[axis] - below) / (above - below);
+    along[axis].push_back({below, 1 - share});
+    if (share > 0) along[axis].push_back({above, share});
+  }
+  std::vector<PointShare> shares;
+  for (std::size_t q = 0; q < grid.size(); ++q) {
+    double weight = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto found = std::find_if(along[axis].begin(), along[axis].end(), [&](const Neighbour& neighbour) {
+        return std::abs(neighbour.coordinate - grid[q].at[axis]) <= same;
+      });
+      weight *= found == along[axis].end() ? 0 : found->weight;
+    }
+    if (weight > 0) shares.push_back({cell, q, weight});
+  }
+  return shares;
+}
+
+/// The numbers of one kind before, by leaf and face.
+class Past {
+ public:
+  explicit Past(const SplitMesh& mesh) : mesh_(mesh), places_(mesh) {}
+
+  void add(PointColumns columns) {
+    const std::vector<PointOwner>& owners = columns.values.owners();
+    for (std::size_t cell = 0; cell < owners.size(); ++cell)
+      found_[{places_.leaf(owners[cell]), places_.face(owners[cell])}] = {all_.size(), cell};
+    all_.push_back(std::move(columns));
+  }
+
+  /// Moves them to the points of cells or sides of another mesh.
+  void move_to(const SplitMesh& mesh, PointColumns& to) const {
+    const Places places(mesh);
+    std::vector<std::vector<PointSource>> sources(all_.size());
+    const std::vector<PointOwner>& owners = to.values.owners();
+    std::vector<RootPoint> grid;
+    std::pair<std::size_t, std::size_t> of_grid{all_.size(), 0};
+    for (std::size_t cell = 0; cell < owners.size(); ++cell)
+      for (std::size_t q = 0; q < to.places.size(); ++q) {
+        const RootPoint point = places.point(owners[cell], to.places[q]);
+        const auto found = found_.find({mesh_.tree().leaf_at(point), places.face(owners[cell])});
+        if (found == found_.end()) continue;
+        const auto [term, row] = found->second;
+        if (of_grid != found->second) {
+          of_grid = found->second;
+          grid.clear();
+          for (const auto& place : all_[term].places)
+            grid.push_back(places_.point(all_[term].values.owners()[row], place));
+        }
+        sources[term].push_back({cell, q, shares_of(grid, row, point), {}});
+      }
+    for (std::size_t term = 0; term < all_.size(); ++term) move_columns(all_[term], sources[term], to);
+  }
+
+ private:
+  const SplitMesh& mesh_;
+  const Places places_;
+  std::vector<PointColumns> all_;                                             ///< by term
+  std::map<std::pair<int, int>, std::pair<std::size_t, std::size_t>> found_;  ///< by leaf and face: term, and row there
+};
+
+/// Calls visit(kind, columns) for all that a model's points keep.
+template <class Histories, class Visit>
+void for_each_kind(const Model& model, Histories& histories, const Visit& visit) {
+  const std::vector<std::string> names = model.slot_names();
+  for (std::size_t slot = 0; slot < histories.size(); ++slot)
+    for (auto& columns : histories.of(slot).points) {
+      const std::vector<PointOwner>& owners = columns.values.owners();
+      const bool on_sides = model.space().maximum(!owners.empty() && owners.front().side >= 0 ? 1 : 0) > 0;
+      visit(kind_of(names[slot], on_sides, columns), columns);
+    }
+}
+
+}  // namespace
+
+bool keeps_something(const TermHistories& histories) {
+  for (std::size_t slot = 0; slot < histories.size(); ++slot)
+    if (!histories.of(slot).points.empty()) return true;
+  return false;
+}
+
+void move_histories(const SplitMesh& from, const Model& before, const TermHistories& past, const SplitMesh& to,
+                    const Model& after, TermHistories& histories) {
+  std::map<std::string, Past> known;
+  for_each_kind(before, past, [&](const std::string& kind, const PointColumns& columns) {
+    known.emplace(kind, from).first->second.add(gathered(columns, before.space().comm()));
+  });
+  for_each_kind(after, histories, [&](const std::string& kind, PointColumns& columns) {
+    if (const auto found = known.find(kind); found != known.end()) found->second.move_to(to, columns);
+  });
+}
+
+}  // namespace ixos
