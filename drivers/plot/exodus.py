@@ -98,7 +98,7 @@ class FieldsOnMesh:
         self.path, self.dimension, self.cells = file.path, file.dimension, file.cells
         self._frames = np.arange(len(file.times))  # by number here: that in the file
         for name in needed:
-            self._frames = np.intersect1d(self._frames, file.frames_with(name)) if name in file else self._frames[:0]
+            self._frames = np.intersect1d(self._frames, file.frames_with(name))
         self._scales = units.scales(folder)
         self._body_dimension = 3 if is_axisymmetric(folder) else self.dimension
         self.times = self._file.times[self._frames] * self._factor("time")
