@@ -10,10 +10,12 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool is_above(const Signs& signs, const TreeCell& cell, const AdaptOptions& options, double share) {
+/// Returns whether a cell is to be split. A new split has a lead at the front: the next steps move it.
+bool is_above(const Signs& signs, const TreeCell& cell, const AdaptOptions& options, bool is_split) {
+  const double lead = (1 + options.keep) / 2;
   for (const Front& front : signs.fronts)
-    if (front.change(cell) > share * options.part) return true;
-  return signs.bulk && options.strain > 0 && signs.bulk->jump(cell) > share * options.strain;
+    if (front.change(cell) > (is_split ? options.keep : lead) * options.part) return true;
+  return signs.bulk && options.strain > 0 && signs.bulk->jump(cell) > (is_split ? options.keep : 1) * options.strain;
 }
 
 /// Returns the halvings that parts of a cell of the unsplit mesh may have along each axis.
@@ -60,7 +62,7 @@ CellSplits wished_splits(const SplitMesh& mesh, const Signs& signs, const AdaptO
     const int split_before = before.axis(cell);
     if (keep_all && split_before >= 0) return {split_before};
     axes = tree.axes_to_halve(cell, allowed(options, mesh.base(), cell));
-    if (axes.empty() || !is_above(signs, cell, options, split_before >= 0 ? options.keep : 1)) return {};
+    if (axes.empty() || !is_above(signs, cell, options, split_before >= 0)) return {};
     return axes;
   };
   tree.split(wish, options.directions.empty(), most_refined_cells);

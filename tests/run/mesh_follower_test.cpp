@@ -116,12 +116,12 @@ TEST_F(MeshFollowerTest, ABudgetKeepsCellsSplit) {
   const RunResult kept = run_scene(strip("Newmark", none, 0.05, 3), "kept"),
                   joined = run_scene(strip("Newmark", adapt(2), 0.05, 3), "joined");
   EXPECT_EQ(kept.mesh_changes.coarsening, 0);
-  EXPECT_EQ(kept.mesh_changes.count, kept.mesh_changes.repeated);
+  EXPECT_LE(kept.mesh_changes.count, joined.mesh_changes.count);
   ASSERT_EQ(kept.warnings.size(), 1U);
   EXPECT_EQ(kept.warnings[0].name, "mesh follows the front");
   expect_contains(kept.warnings[0].message, "cells stay split: to join them would change the energy by");
   EXPECT_GT(joined.mesh_changes.coarsening, 0);
-  EXPECT_GT(kept.mesh_changes.most_unknowns, joined.mesh_changes.most_unknowns);
+  EXPECT_GT(kept.mesh_changes.unknowns, joined.mesh_changes.unknowns);
 }
 
 TEST_F(MeshFollowerTest, TheFirstMeshIsThatOfTheFirstState) {
