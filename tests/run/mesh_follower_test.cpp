@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -314,6 +315,45 @@ TEST_F(MeshFollowerTest, FrictionOfAPairGoesAlong) {
                            list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.3));
   const RunResult whole = expect_goes_on(two_strips("Newmark", adapt(2), pair, 1.5, checkpoints(10, 100)), {10, 20});
   EXPECT_GT(whole.mesh_changes.count, 2);
+}
+
+/// Two balls that fly at each other off centre; `mesh`: more of the list Mesh.
+std::string two_balls(const std::string& mesh, double end) {
+  const auto ball = [](const char* name, const std::vector<double>& center) {
+    return list(name, word("Type", "Ball") + list("Ball", number("Diameter", 6) + numbers("Center", center)));
+  };
+  const auto material = [](const char* block) { return list(block, word("Block", block) + number("Density", 5e-7)); };
+  const auto flight = [](const char* name, const char* blocks, double speed) {
+    return list(name, texts("Blocks", blocks) + numbers("Velocity", {speed, 0, 0}));
+  };
+  return list("Mesh",
+              word("Type", "Parts") + list("Parts", ball("left", {0, 0, 0}) + ball("right", {6.3, 2, 1})) + mesh) +
+         list("Materials", material("left_body") + material("right_body")) +
+         list("Interactions",
+              list("Contact", word("Side Set", "right_surface") + word("Primary Side Set", "left_surface") +
+                                  number("Cutoff", 2) + count("Surface Points", 3) + word("Smoothing", "None") +
+                                  number("Gamma L", 2.5) + number("Gamma W", 25))) +
+         list("Initial Conditions", flight("Left", "{left_body}", 15) + flight("Right", "{right_body}", -15)) +
+         list("Time Integrator", word("Type", "Energy-Momentum") + steps(0.002, end));
+}
+
+TEST_F(MeshFollowerTest, TwoBallsInSpaceKeepTheirMomenta) {
+  const RunResult result = run_scene(two_balls(adapt(1, number("Part", 0.5)), 0.08), "balls");
+  ASSERT_EQ(result.status, RunStatus::Completed) << result.reason;
+  EXPECT_GT(result.mesh_changes.count, 1);
+  world()->barrier();
+  const HistoryTable rows = table("balls");
+  const double momentum = rows.column("kinetic_energy").front() / 7.5;  // of one ball
+  EXPECT_LT(*std::min_element(rows.column("min_gap").begin(), rows.column("min_gap").end()), 0.5);
+  for (const char* axis : {"x", "y", "z"}) {
+    const std::vector<double>&linear = rows.column(std::string("linear_momentum_") + axis),
+          &angular = rows.column(std::string("angular_momentum_") + axis);
+    for (std::size_t k = 0; k < rows.rows(); ++k) {
+      EXPECT_NEAR(linear[k], linear[0], 1e-11 * momentum);
+      EXPECT_NEAR(angular[k], angular[0], 1e-10 * 3 * momentum);
+    }
+  }
+  expect_closed(rows, result.largest_energy);
 }
 
 TEST_F(MeshFollowerTest, ACheckpointOfAnotherKindIsRefused) {
