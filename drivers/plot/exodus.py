@@ -25,6 +25,8 @@ class Fields:
             needed = "displacement", *needed
         self._meshes = [mesh for mesh in (FieldsOnMesh(file, folder, needed) for file in files) if len(mesh.times)]
         if not self._meshes:
+            for name in needed:
+                files[0].frames_with(name)  # which tells what fields there are
             raise ResultsError(f"{self.path}: no stage has all of {', '.join(needed)}")
         self.times = np.concatenate([mesh.times for mesh in self._meshes])
         first = self._meshes[0]
@@ -98,7 +100,10 @@ class FieldsOnMesh:
         self.path, self.dimension, self.cells = file.path, file.dimension, file.cells
         self._frames = np.arange(len(file.times))  # by number here: that in the file
         for name in needed:
-            self._frames = np.intersect1d(self._frames, file.frames_with(name))
+            try:
+                self._frames = np.intersect1d(self._frames, file.frames_with(name))
+            except result_files.FileError:  # no frame on this mesh has it
+                self._frames = self._frames[:0]
         self._scales = units.scales(folder)
         self._body_dimension = 3 if is_axisymmetric(folder) else self.dimension
         self.times = self._file.times[self._frames] * self._factor("time")

@@ -58,8 +58,9 @@ void Front::Range::add(double gap) {
   largest = std::max(largest, gap);
 }
 
-Front::Front(const SplitMesh& mesh, const std::string& side_set, const GapLaw& law, std::vector<double> gaps)
-    : mesh_(mesh), law_(law), gaps_(std::move(gaps)) {
+Front::Front(const SplitMesh& mesh, const std::string& side_set, std::shared_ptr<const GapLaw> law,
+             std::vector<double> gaps)
+    : mesh_(mesh), law_(std::move(law)), gaps_(std::move(gaps)) {
   for (double& gap : gaps_)
     if (std::isnan(gap)) gap = 0;
   for (const Side& side : side_set_named(mesh.mesh(), side_set).sides) add(side);
@@ -106,7 +107,7 @@ double Front::change(const TreeCell& cell) const {
   for (int face = 0; face < 2 * mesh_.mesh().dimension; ++face) {
     if (!touches(cell, face)) continue;
     const Range own = range(cell, face);
-    if (own.least <= own.largest) change = std::max(change, traction_change(law_, own.least, own.largest));
+    if (own.least <= own.largest) change = std::max(change, traction_change(*law_, own.least, own.largest));
   }
   return change;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <limits>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +25,9 @@ double traction_change(const GapLaw& law, double least, double largest);
 /// the faces in it; a part of a face of the mesh those between its corners.
 class Front {
  public:
-  /// `gaps`: by node of the mesh, NaN away from the surface [L0]. The mesh and the law must outlive the front.
-  Front(const SplitMesh& mesh, const std::string& side_set, const GapLaw& law, std::vector<double> gaps);
+  /// `gaps`: by node of the mesh, NaN away from the surface [L0]. The mesh must outlive the front.
+  Front(const SplitMesh& mesh, const std::string& side_set, std::shared_ptr<const GapLaw> law,
+        std::vector<double> gaps);
 
   /// Returns the largest traction_change() of the cell's faces on the surface; 0 if it has none. The local cohesive
   /// zone is as many faces long as this number goes into 1.
@@ -44,7 +46,7 @@ class Front {
   Range range(const TreeCell& cell, int face) const;
 
   const SplitMesh& mesh_;
-  const GapLaw& law_;
+  std::shared_ptr<const GapLaw> law_;
   std::vector<double> gaps_;  ///< zero away from the surface
   std::map<Face, Range> ranges_;
   std::vector<int> leaves_;

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "adapt/field_at.hpp"
 #include "base/all_to_all.hpp"
 #include "fem/cell_info.hpp"
 #include "state/moved.hpp"
@@ -41,7 +43,10 @@ class Places {
     const SplitMesh::Cell cell{owner.block, owner.cell};
     return mesh_.root_point(cell, owner.side < 0 ? place : on_side(owner, place));
   }
-  int leaf(const PointOwner& owner) const { return mesh_.leaf_of({owner.block, owner.cell}); }
+  int leaf(const PointOwner& owner) const {
+    if (owner.part != 0) throw std::logic_error("parts of sides do not move to other meshes");
+    return mesh_.leaf_of({owner.block, owner.cell});
+  }
   /// Returns the face of the whole cell: twice the axis across it, and the end; -1 for a cell.
   int face(const PointOwner& owner) const {
     if (owner.side < 0) return -1;
@@ -138,38 +143,84 @@ class Past {
     all_.push_back(std::move(columns));
   }
 
-  /// Moves them to the points of cells or sides of another mesh.
-  void move_to(const SplitMesh& mesh, PointColumns& to) const {
+  /// Moves them to the points of cells or sides of another mesh. `surface`: of friction; null for others.
+  void move_to(const SplitMesh& mesh, const SlidingSurface* surface, PointColumns& to) const {
     const Places places(mesh);
     std::vector<std::vector<PointSource>> sources(all_.size());
+    std::vector<std::pair<std::size_t, std::size_t>> free;  // rows and points where nothing resists slip
     const std::vector<PointOwner>& owners = to.values.owners();
-    std::vector<RootPoint> grid;
-    std::pair<std::size_t, std::size_t> of_grid{all_.size(), 0};
-    for (std::size_t cell = 0; cell < owners.size(); ++cell)
+    for (std::size_t row = 0; row < owners.size(); ++row)
       for (std::size_t q = 0; q < to.places.size(); ++q) {
-        const RootPoint point = places.point(owners[cell], to.places[q]);
-        const auto found = found_.find({mesh_.tree().leaf_at(point), places.face(owners[cell])});
-        if (found == found_.end()) continue;
-        const auto [term, row] = found->second;
-        if (of_grid != found->second) {
-          of_grid = found->second;
-          grid.clear();
-          for (const auto& place : all_[term].places)
-            grid.push_back(places_.point(all_[term].values.owners()[row], place));
+        const RootPoint point = places.point(owners[row], to.places[q]);
+        const std::vector<Found> around = rows_around(point, places.face(owners[row]));
+        if (around.empty()) continue;
+        PointSource source{row, q, {}, {}};
+        for (const Found& found : around)
+          for (PointShare share : shares_of(grid_of(found), found.second, point)) {
+            share.weight /= static_cast<double>(around.size());
+            source.shares.push_back(share);
+          }
+        if (surface != nullptr) {
+          source.normal = normal_at(mesh, *surface, point);
+          double gap = 0;
+          evaluate(mesh, surface->gap, 1, point, &gap);
+          if (!(gap < surface->cutoff)) free.emplace_back(row, q);
         }
-        sources[term].push_back({cell, q, shares_of(grid, row, point), {}});
+        sources[around.front().first].push_back(std::move(source));
       }
     for (std::size_t term = 0; term < all_.size(); ++term) move_columns(all_[term], sources[term], to);
+    for (const auto& [row, q] : free) clear_slip(row, q, to);
   }
 
  private:
+  using Found = std::pair<std::size_t, std::size_t>;  ///< a term, and a row there
+
+  /// Returns the rows of one term at a point, several if it lies between cells.
+  std::vector<Found> rows_around(const RootPoint& point, int face) const {
+    const int dimension = mesh_.tree().dimension();
+    std::vector<Found> rows;
+    for (int bits = 0; bits < 1 << dimension; ++bits) {
+      RootPoint beside = point;
+      for (int axis = 0; axis < dimension; ++axis)
+        beside.at[at(axis)] = std::clamp(beside.at[at(axis)] + ((bits >> axis & 1) != 0 ? same : -same), -1.0, 1.0);
+      const auto found = found_.find({mesh_.tree().leaf_at(beside), face});
+      if (found == found_.end() || std::find(rows.begin(), rows.end(), found->second) != rows.end()) continue;
+      if (rows.empty() || rows.front().first == found->second.first) rows.push_back(found->second);
+    }
+    return rows;
+  }
+  const std::vector<RootPoint>& grid_of(const Found& found) const {
+    std::vector<RootPoint>& grid = grids_[found];
+    if (grid.empty())
+      for (const auto& place : all_[found.first].places)
+        grid.push_back(places_.point(all_[found.first].values.owners()[found.second], place));
+    return grid;
+  }
+  static std::array<double, 3> normal_at(const SplitMesh& mesh, const SlidingSurface& surface, const RootPoint& point) {
+    std::array<double, 3> normal{};
+    evaluate(mesh, surface.normal, at(mesh.mesh().dimension), point, normal.data());
+    const double length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (double& component : normal) component = length > 0 ? component / length : 0;
+    return normal;
+  }
+  static void clear_slip(std::size_t row, std::size_t q, PointColumns& columns) {
+    std::size_t first = 0;
+    for (const Column& column : columns.columns) {
+      if (column.kind == ColumnKind::SurfaceVector || column.kind == ColumnKind::Scalar)
+        for (std::size_t i = 0; i < column.count; ++i)
+          columns.values(row / pack_width, q, first + i)[row % pack_width] = 0;
+      first += column.count;
+    }
+  }
+
   const SplitMesh& mesh_;
   const Places places_;
-  std::vector<PointColumns> all_;                                             ///< by term
-  std::map<std::pair<int, int>, std::pair<std::size_t, std::size_t>> found_;  ///< by leaf and face: term, and row there
+  std::vector<PointColumns> all_;               ///< by term
+  std::map<std::pair<int, int>, Found> found_;  ///< by leaf and face
+  mutable std::map<Found, std::vector<RootPoint>> grids_;
 };
 
-/// Calls visit(kind, columns) for all that a model's points keep.
+/// Calls visit(term's name, kind, columns) for all that a model's points keep.
 template <class Histories, class Visit>
 void for_each_kind(const Model& model, Histories& histories, const Visit& visit) {
   const std::vector<std::string> names = model.slot_names();
@@ -177,7 +228,7 @@ void for_each_kind(const Model& model, Histories& histories, const Visit& visit)
     for (auto& columns : histories.of(slot).points) {
       const std::vector<PointOwner>& owners = columns.values.owners();
       const bool on_sides = model.space().maximum(!owners.empty() && owners.front().side >= 0 ? 1 : 0) > 0;
-      visit(kind_of(names[slot], on_sides, columns), columns);
+      visit(names[slot], kind_of(names[slot], on_sides, columns), columns);
     }
 }
 
@@ -190,13 +241,15 @@ bool keeps_something(const TermHistories& histories) {
 }
 
 void move_histories(const SplitMesh& from, const Model& before, const TermHistories& past, const SplitMesh& to,
-                    const Model& after, TermHistories& histories) {
+                    const Model& after, const SlidingSurfaces& surfaces, TermHistories& histories) {
   std::map<std::string, Past> known;
-  for_each_kind(before, past, [&](const std::string& kind, const PointColumns& columns) {
+  for_each_kind(before, past, [&](const std::string&, const std::string& kind, const PointColumns& columns) {
     known.emplace(kind, from).first->second.add(gathered(columns, before.space().comm()));
   });
-  for_each_kind(after, histories, [&](const std::string& kind, PointColumns& columns) {
-    if (const auto found = known.find(kind); found != known.end()) found->second.move_to(to, columns);
+  for_each_kind(after, histories, [&](const std::string& name, const std::string& kind, PointColumns& columns) {
+    const auto surface = surfaces.find(name);
+    if (const auto found = known.find(kind); found != known.end())
+      found->second.move_to(to, surface == surfaces.end() ? nullptr : &surface->second, columns);
   });
 }
 

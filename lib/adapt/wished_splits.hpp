@@ -23,7 +23,8 @@ bool has_coarse_faces(const SplitMesh& mesh, const Signs& signs, const AdaptOpti
 
 /// Returns the splits that the state asks for, from the unsplit cells on: cells are split while a change is above its
 /// bound, that of a face above (1 + AdaptOptions::keep)/2 of it, those that are split already while it is above
-/// AdaptOptions::keep times the bound, and those in the regions, and around all of these as split() does. `keep_all`: all that is split stays split. Throws InputError as refine().
+/// AdaptOptions::keep times the bound, and those in the regions, and around all of these as split() does. `keep_all`:
+/// all that is split stays split. Throws InputError as refine().
 CellSplits wished_splits(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options,
                          const std::vector<NamedRegion>& regions, bool keep_all);
 

@@ -47,8 +47,6 @@ ModelWork Model::accept(const AcceptedStep& step, TermHistories& histories) cons
   return {std::move(work), driven};
 }
 
-/// Returns the name of a term's section. That of a history counts the histories of the same name only, so that it is
-/// found in a scene with other terms.
 std::vector<std::string> Model::slot_names() const {
   std::vector<std::string> names(slots_);
   for (const NamedTerm& own : terms_)
@@ -56,6 +54,8 @@ std::vector<std::string> Model::slot_names() const {
   return names;
 }
 
+/// Returns the name of a term's section. That of a history counts the histories of the same name only, so that it is
+/// found in a scene with other terms.
 std::string Model::section_of(std::size_t term) const {
   if (!terms_[term].term->has_history()) return "term " + std::to_string(term + 1) + ", " + terms_[term].name;
   const auto count = std::count_if(

@@ -11,11 +11,48 @@
 #include "adapt/whole_field.hpp"
 #include "adapt/wished_splits.hpp"
 #include "base/error.hpp"
+#include "interaction/friction_law.hpp"
+#include "interaction/gap_law.hpp"
 #include "model/state_report.hpp"
 #include "run/energies.hpp"
 
 namespace ixos {
 namespace {
+
+std::shared_ptr<const GapLaw> acting_law(const SceneInteraction& interaction) {
+  return interaction.cutoff > 0 ? interaction.law->cut_off(interaction.cutoff) : interaction.law;
+}
+
+/// Returns the surfaces with friction in the present state. Collective.
+SlidingSurfaces sliding_surfaces(const Simulation& simulation) {
+  SlidingSurfaces surfaces;
+  const Mesh& mesh = simulation.split_mesh().mesh();
+  const LocalMesh& local = simulation.model().mesh();
+  const Comm& comm = simulation.model().space().comm();
+  const StateReport report(simulation.model(), simulation.integrator().state());
+  for (const SceneInteraction& interaction : simulation.interactions()) {
+    if (interaction.friction.type == FrictionType::None) continue;
+    const std::string& name = interaction.node.name();
+    const InteractionGroup group = report.interaction(name);
+    std::vector<double> gap = group.gap();
+    std::replace_if(
+        gap.begin(), gap.end(), [](double own) { return std::isnan(own); }, 0.0);  // away from the surface
+    surfaces["friction of " + name] = {
+        whole_field(local, comm, group.normal(), static_cast<std::size_t>(mesh.dimension), mesh.nodes()),
+        whole_field(local, comm, gap, 1, mesh.nodes()),
+        FrictionLaw(interaction.friction, acting_law(interaction)).cutoff()};
+  }
+  return surfaces;
+}
+
+/// Returns whether the points keep what their state alone gave them: no step was taken. Collective.
+bool is_without_past(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const State& state = simulation.integrator().state();
+  TermHistories first = model.create_histories();
+  model.initialize(known_states({state}, 1).front(), first);
+  return model.space().maximum(first == state.histories ? 0 : 1) == 0;
+}
 
 /// Returns what a state asks of the mesh; in the middle of a step the front alone, as waves of strain would have most
 /// steps repeated. Collective.
@@ -30,8 +67,9 @@ Signs signs_of(const Simulation& simulation, const State& state, bool has_bulk) 
   for (const SceneInteraction& interaction : simulation.interactions()) {
     const std::vector<double> gaps =
         whole_field(local, comm, report.interaction(interaction.node.name()).gap_of_both(), 1, nodes);
-    signs.fronts.emplace_back(mesh, interaction.side_set, *interaction.law, gaps);
-    if (interaction.is_pair()) signs.fronts.emplace_back(mesh, interaction.primary, *interaction.law, gaps);
+    const auto law = acting_law(interaction);
+    signs.fronts.emplace_back(mesh, interaction.side_set, law, gaps);
+    if (interaction.is_pair()) signs.fronts.emplace_back(mesh, interaction.primary, law, gaps);
   }
   if (has_bulk && options.strain > 0)
     signs.bulk = std::make_unique<BulkStrain>(
@@ -51,15 +89,15 @@ std::shared_ptr<Simulation> moved(const Simulation& simulation, const CellSplits
       moved_motion(simulation.split_mesh(), simulation.model(), before.state(), next->split_mesh(), next->model());
   try {
     integrator.initialize(std::move(motion.u), std::move(motion.v), before.time());
+    if (keeps_something(before.state().histories) && !is_without_past(simulation)) {
+      State state = integrator.state();
+      move_histories(simulation.split_mesh(), simulation.model(), before.state().histories, next->split_mesh(),
+                     next->model(), sliding_surfaces(*next), state.histories);
+      integrator.resume(state);
+    }
   } catch (const InputError& error) {
     reason = error.what();
     return nullptr;
-  }
-  if (keeps_something(before.state().histories)) {
-    State state = integrator.state();
-    move_histories(simulation.split_mesh(), simulation.model(), before.state().histories, next->split_mesh(),
-                   next->model(), state.histories);
-    integrator.resume(state);
   }
   integrator.continue_works(before, 0);
   integrator.set_interaction_points(before.table().interaction_points);

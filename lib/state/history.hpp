@@ -14,6 +14,7 @@ namespace ixos {
 enum class ColumnKind {
   Scalar,           ///< any number
   Growing,          ///< a number that no step lowers: a damage, a dissipated energy, a slip so far
+  Nearest,          ///< a number of which no mean makes sense, such as one that may be a mark
   SurfaceVector,    ///< a vector in the tangent plane of a surface
   UnimodularTensor  ///< C - I of a symmetric positive definite C with determinant 1, see Components::symmetric
 };

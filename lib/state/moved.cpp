@@ -45,7 +45,12 @@ class ColumnMove {
   std::vector<double> at(const PointSource& source) const {
     if (column_.kind == ColumnKind::UnimodularTensor && source.shares.size() > 1) return tensor(source.shares);
     std::vector<double> result(column_.count);
-    if (source.shares.size() == 1) {
+    if (column_.kind == ColumnKind::Nearest) {
+      const PointShare& nearest =
+          *std::max_element(source.shares.begin(), source.shares.end(),
+                            [](const PointShare& a, const PointShare& b) { return a.weight < b.weight; });
+      for (std::size_t i = 0; i < result.size(); ++i) result[i] = value(nearest, i);
+    } else if (source.shares.size() == 1) {
       for (std::size_t i = 0; i < result.size(); ++i) result[i] = value(source.shares[0], i);
     } else {
       for (const PointShare& share : source.shares)

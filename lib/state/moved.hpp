@@ -31,6 +31,7 @@ struct PointSource {
 
 /// Sets numbers of points by the kind of their column:
 /// - Scalar, Growing: the mean, which lies between the numbers before;
+/// - Nearest: the number with the largest weight;
 /// - SurfaceVector: the mean, less its part along the normal;
 /// - UnimodularTensor: exp(sum w ln C) - I of the C that the numbers stand for. Its determinant is 1, and it turns with
 ///   them (Arsigny et al. 2006, log-Euclidean mean).

@@ -100,7 +100,7 @@ void fill(Body& body) {
 }
 
 void take(Body& after, const Body& before) {
-  move_histories(before.mesh, *before.model, before.histories, after.mesh, *after.model, after.histories);
+  move_histories(before.mesh, *before.model, before.histories, after.mesh, *after.model, {}, after.histories);
 }
 
 TEST(MovedHistoriesTest, OnTheSameMeshNothingChanges) {
@@ -149,6 +149,31 @@ TEST(MovedHistoriesTest, NumbersThatAreLinearStaySoBetweenPointsAndKeepTheirRang
         EXPECT_LT(worst, 0.22 * (dimension == 2 ? 0.5 : 0.9));
         EXPECT_GT(exact, all / 10);
       }
+}
+
+// Where nothing resists slip there is no traction; elsewhere it loses its part along the normal.
+TEST(MovedHistoriesTest, TractionsFollowTheSurface) {
+  for (const double cutoff : {1.0, 0.1}) {
+    Body before(split_box(2, ContactElement::Q1C1, 0)), after(split_box(2, ContactElement::Q1C1, 1));
+    fill(before);
+    const auto nodes = static_cast<std::size_t>(after.mesh.mesh().nodes());
+    SlidingSurface surface{std::vector<double>(2 * nodes, std::sqrt(0.5)), std::vector<double>(nodes, 0.5), cutoff};
+    move_histories(before.mesh, *before.model, before.histories, after.mesh, *after.model,
+                   {{"friction of interaction", surface}}, after.histories);
+    double largest = 0;
+    after.for_each([&](PointColumns& columns, std::size_t row, std::size_t q, const std::array<double, 3>&) {
+      if (columns.columns.front().kind != ColumnKind::SurfaceVector) return;
+      const auto at = [&](std::size_t i) { return double(columns.values(row / pack_width, q, i)[row % pack_width]); };
+      EXPECT_NEAR(at(0) + at(1), 0, 1e-14);
+      largest = std::max(largest, std::abs(at(2)));
+      if (cutoff < 0.5) {
+        EXPECT_EQ(at(0), 0);
+        EXPECT_EQ(at(4), 0) << "sliding";
+      }
+    });
+    after.model->space().sum(&largest, 1);
+    EXPECT_GT(largest, 1) << "the slip so far stays";
+  }
 }
 
 /// Returns a plane C - I of determinant 1 that differs from point to point.

@@ -45,7 +45,7 @@ TEST(FrontTest, PartsOfAFaceHaveTheirPartOfTheGaps) {
     for (const int kind : {0, 1, 3}) {
       const SplitMesh mesh = split_box(dimension, ContactElement::Q1C1, kind);
       const double peak = law->adhesion_gap();
-      const Front front(mesh, "bottom", *law, rising(mesh, peak, 0.5));
+      const Front front(mesh, "bottom", law, rising(mesh, peak, 0.5));
       // The first cell, and its left half, whether the mesh has it or not.
       TreeCell whole = mesh.tree().cell(0), left = whole;
       left.upper[0] = 0;
@@ -93,7 +93,7 @@ AdaptOptions options(int levels) {
 /// Returns the mesh that the gaps ask for, of one whose cells are not split.
 SplitMesh adapted(const SplitMesh& mesh, const AdaptOptions& asked, double first, double slope, bool keep_all = false) {
   Signs signs;
-  signs.fronts.emplace_back(mesh, "bottom", *law, rising(mesh, first, slope));
+  signs.fronts.emplace_back(mesh, "bottom", law, rising(mesh, first, slope));
   Mesh next = mesh.base();
   SplitTree tree = split(next, wished_splits(mesh, signs, asked, {}, keep_all), 1);
   return {mesh.base(), next, std::move(tree)};
@@ -104,7 +104,7 @@ TEST(WishedSplitsTest, FacesAreSplitUntilTheTractionChangesByThePart) {
     const SplitMesh coarse = split_box(dimension, ContactElement::Q1C1, 0);
     const double first = law->equilibrium_gap();
     const SplitMesh fine = adapted(coarse, options(8), first, 0.2);
-    const Front front(fine, "bottom", *law, rising(fine, first, 0.2));
+    const Front front(fine, "bottom", law, rising(fine, first, 0.2));
     Signs signs;
     signs.fronts.push_back(front);
     EXPECT_FALSE(has_coarse_faces(fine, signs, options(8)));

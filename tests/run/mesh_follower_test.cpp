@@ -261,15 +261,41 @@ TEST_F(MeshFollowerTest, WhatPointsKeepGoesAlong) {
   }
 }
 
-TEST_F(MeshFollowerTest, DamageGoesAlong) {
-  std::string scene = strip("Newmark", adapt(2), 0.02, 3, checkpoints(30, 100));
-  const std::string wall = numbers("Point", {0, -0.6368}) + number("Gamma L", 1) + number("Gamma W", 10);
-  scene.replace(scene.find(wall), wall.size(),
-                word("Law", "Bilinear Damage") +
+/// The strip on bonds that break, with further parameters of the law.
+std::string bonded_strip(const std::string& scheme, const std::string& wall, const std::string& law) {
+  std::string scene = strip(scheme, adapt(2), 0.02, 3, checkpoints(30, 100));
+  const std::string other = numbers("Point", {0, -0.6368}) + number("Gamma L", 1) + number("Gamma W", 10);
+  scene.replace(scene.find(other), other.size(),
+                wall + word("Law", "Bilinear Damage") +
                     list("Bilinear Damage",
-                         number("Work of Adhesion", 0.02) + number("Strength", 0.05) + number("Stiffness", 0.5)));
-  const RunResult whole = expect_goes_on(scene, {30, 60, 90});
+                         number("Work of Adhesion", 0.02) + number("Strength", 0.05) + number("Stiffness", 0.5) + law));
+  return scene;
+}
+
+TEST_F(MeshFollowerTest, DamageGoesAlong) {
+  const RunResult whole = expect_goes_on(bonded_strip("Average Vector Field", "", ""), {30, 60, 90});
   EXPECT_GT(whole.mesh_changes.count, 3);
+  world()->barrier();
+  EXPECT_GT(table("whole").column("dissipated_energy").back(), 1e-3 * whole.largest_energy);
+  // Bonds that wait for a touch, and a wall that the right half of the strip never touches.
+  const std::string on_touch = R"(<Parameter name="Bond on Touch" type="bool" value="true"/>)";
+  EXPECT_EQ(expect_goes_on(bonded_strip("Newmark", numbers("Point", {0, -0.001}), on_touch), {30, 60}).status,
+            RunStatus::Completed);
+}
+
+// The points in time of the curved gap move the balance, with and without changes of the mesh.
+TEST_F(MeshFollowerTest, FrictionOnACurvedObstacleGoesAlong) {
+  const auto on_cylinder = [](const std::string& mesh) {
+    std::string scene = strip("Average Vector Field", mesh, 0.05, 1, checkpoints(7, 100), "Q1C1", "",
+                              friction + word("Obstacle", "Sphere") +
+                                  list("Sphere", numbers("Center", {12, -20.6368}) + number("Radius", 20)));
+    const std::string point = numbers("Point", {0, -0.6368});
+    return scene.erase(scene.find(point), point.size());
+  };
+  const std::string fine = list("Refine", list("All", count("Levels", 2) + numbers("Upper", {100, 100})));
+  const RunResult whole = expect_goes_on(on_cylinder(adapt(2)), {7, 14}), stays = run_scene(on_cylinder(fine), "stays");
+  EXPECT_GT(whole.mesh_changes.count, 1);
+  EXPECT_LT(whole.max_energy_error, 3 * stays.max_energy_error);
 }
 
 /// Two strips that stick to each other and are peeled apart at their right edges.

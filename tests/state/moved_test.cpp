@@ -89,6 +89,17 @@ TEST(MovedTest, AMeanStaysBetweenTheNumbers) {
   EXPECT_EQ(at(to, 0, 0, 1), 0) << "a point without a source";
 }
 
+TEST(MovedTest, AMarkIsThatOfTheNearestPoint) {
+  static const LocalMesh mesh = two_cells();
+  const PointColumns empty{{{"bond", ColumnKind::Nearest, 1}}, PointData(mesh.blocks.front(), 2, 1)};
+  PointColumns from = empty, to = empty;
+  set(from, 0, 0, {-1});
+  set(from, 1, 1, {0.5});
+  move_columns(from, {{1, 0, {{0, 0, 0.25}, {1, 1, 0.75}}, {}}, {0, 1, {{0, 0, 0.6}, {1, 1, 0.4}}, {}}}, to);
+  EXPECT_EQ(at(to, 1, 0, 0), 0.5);
+  EXPECT_EQ(at(to, 0, 1, 0), -1);
+}
+
 TEST(MovedTest, OneSourceIsCopiedToTheLastBit) {
   PointColumns from = columns(), to = columns();
   std::vector<double> values;

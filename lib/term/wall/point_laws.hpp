@@ -64,7 +64,7 @@ class PointLaws {
 
   TermHistory history() const {
     if (!has_history()) return {};
-    return {{{{{"history of the law", ColumnKind::Growing, 1}}, *without_past_, places_}}, {}, {}};
+    return {{{{{"history of the law", ColumnKind::Nearest, 1}}, *without_past_, places_}}, {}, {}};
   }
   /// Begins the history of a point at a gap [L0].
   void begin(Pack& history, const Pack& gap) const { history = law_->first(gap); }
