@@ -105,6 +105,7 @@ class DoubleIntegral final : public Interaction, public Coupling, public Surface
     distance_->reports().add_nodal_measure(counted, measure);
   }
   void lower_nodal_gap(const Place& at, double* gap) const override { distance_->reports().lower_nodal_gap(at, gap); }
+  void lower_facing_gap(const Place& at, double* gap) const override { distance_->reports().lower_facing_gap(at, gap); }
   void set_nodal_normal(const Place& at, double* normal) const override {
     distance_->reports().set_nodal_normal(at, normal);
   }

@@ -134,6 +134,7 @@ class TwoPasses final : public Interaction, public Admissibility, public Couplin
   void lower_nodal_gap(const Place& at, double* gap) const override {
     for_each_report([&](const SurfaceReport& own) { own.lower_nodal_gap(at, gap); });
   }
+  void lower_facing_gap(const Place&, double*) const override {}  // both surfaces have gaps of their own
   void set_nodal_normal(const Place& at, double* normal) const override {
     for_each_report([&](const SurfaceReport& own) { own.set_nodal_normal(at, normal); });
   }

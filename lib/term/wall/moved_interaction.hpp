@@ -79,6 +79,9 @@ class MovedInteraction final : public Interaction, public Admissibility, public 
   void lower_nodal_gap(const Place& at, double* gap) const override {
     fixed_->reports().lower_nodal_gap(seen(at), gap);
   }
+  void lower_facing_gap(const Place& at, double* gap) const override {
+    fixed_->reports().lower_facing_gap(seen(at), gap);
+  }
   void set_nodal_normal(const Place& at, double* normal) const override;
 
   // An interaction with a history receives displacements in the frame.
