@@ -18,20 +18,6 @@ bool touches(const TreeCell& cell, int face) {
   return face % 2 == 0 ? cell.lower[axis] == -1 : cell.upper[axis] == 1;
 }
 
-/// Returns the face of the whole cell on which a side of a leaf lies: all its corners have one coordinate.
-int face_of(const SplitMesh& mesh, const TreeCell& leaf, const std::vector<int>& nodes) {
-  const int dimension = mesh.mesh().dimension;
-  for (int face = 0; face < 2 * dimension; ++face) {
-    int found = 0;
-    for (int bits = 0; bits < 1 << dimension; ++bits)
-      if ((bits >> (face / 2) & 1) == face % 2 &&
-          std::find(nodes.begin(), nodes.end(), leaf.corners[at(bits)]) != nodes.end())
-        ++found;
-    if (found == 1 << (dimension - 1)) return face;
-  }
-  return -1;
-}
-
 }  // namespace
 
 double strength(const GapLaw& law) {
@@ -71,8 +57,8 @@ void Front::add(const Side& side) {
   const SplitTree& tree = mesh_.tree();
   const std::vector<int> nodes = nodes_of_side(mesh_.mesh(), side);
   const TreeCell& leaf = tree.cell(mesh_.leaf_of({side.block, side.cell}));
-  const int face = face_of(mesh_, leaf, nodes);
-  if (face < 0 || !touches(leaf, face)) return;
+  const int face = mesh_.face_of({side.block, side.cell}, side.side);
+  if (!touches(leaf, face)) return;
   for (int k = tree.root(leaf.block, leaf.root);;) {
     Range& range = ranges_[{k, face}];
     for (const int node : nodes) range.add(gaps_[at(node)]);

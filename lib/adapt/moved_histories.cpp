@@ -47,13 +47,9 @@ class Places {
     if (owner.part != 0) throw std::logic_error("parts of sides do not move to other meshes");
     return mesh_.leaf_of({owner.block, owner.cell});
   }
-  /// Returns the face of the whole cell: twice the axis across it, and the end; -1 for a cell.
+  /// Returns SplitMesh::face_of(); -1 for a cell.
   int face(const PointOwner& owner) const {
-    if (owner.side < 0) return -1;
-    const RootPoint a = point(owner, {-1, -1, 0}), b = point(owner, {1, 1, 0});
-    for (int axis = 0; axis < mesh_.mesh().dimension; ++axis)
-      if (a.at[at(axis)] == b.at[at(axis)]) return 2 * axis + (a.at[at(axis)] > 0 ? 1 : 0);
-    return -1;
+    return owner.side < 0 ? -1 : mesh_.face_of({owner.block, owner.cell}, owner.side);
   }
 
  private:
@@ -84,13 +80,12 @@ PointColumns gathered(const PointColumns& own, const Comm& comm) {
   constexpr std::size_t head = 4;
   std::vector<PointOwner> owners;
   std::vector<const double*> rows;
-  const auto all = all_to_all(std::vector<std::vector<double>>(at(comm->getSize()), mine), comm);
-  for (const std::vector<double>& share : all)
-    for (std::size_t i = 0; i < share.size(); i += head + size) {
-      const auto number = [&](std::size_t k) { return static_cast<int>(share[i + k]); };
-      owners.push_back({number(0), number(1), number(2), number(3)});
-      rows.push_back(&share[i + head]);
-    }
+  const std::vector<double> all = of_all_ranks(mine, comm);
+  for (std::size_t i = 0; i < all.size(); i += head + size) {
+    const auto number = [&](std::size_t k) { return static_cast<int>(all[i + k]); };
+    owners.push_back({number(0), number(1), number(2), number(3)});
+    rows.push_back(&all[i + head]);
+  }
   PointColumns result{own.columns, PointData(owners, data.points(), data.numbers()), own.places};
   for (std::size_t cell = 0; cell < rows.size(); ++cell) result.values.set_cell(cell, rows[cell]);
   return result;
@@ -149,10 +144,11 @@ class Past {
     std::vector<std::vector<PointSource>> sources(all_.size());
     std::vector<std::pair<std::size_t, std::size_t>> free;  // rows and points where nothing resists slip
     const std::vector<PointOwner>& owners = to.values.owners();
-    for (std::size_t row = 0; row < owners.size(); ++row)
+    for (std::size_t row = 0; row < owners.size(); ++row) {
+      const int face = places.face(owners[row]);
       for (std::size_t q = 0; q < to.places.size(); ++q) {
         const RootPoint point = places.point(owners[row], to.places[q]);
-        const std::vector<Found> around = rows_around(point, places.face(owners[row]));
+        const std::vector<Found> around = rows_around(point, face);
         if (around.empty()) continue;
         PointSource source{row, q, {}, {}};
         for (const Found& found : around)
@@ -168,6 +164,7 @@ class Past {
         }
         sources[around.front().first].push_back(std::move(source));
       }
+    }
     for (std::size_t term = 0; term < all_.size(); ++term) move_columns(all_[term], sources[term], to);
     for (const auto& [row, q] : free) clear_slip(row, q, to);
   }

@@ -1,4 +1,4 @@
-/// What points of bodies and surfaces keep, on another mesh.
+/// Moves the numbers that points of bodies and surfaces keep to another mesh.
 #pragma once
 #include <map>
 #include <string>
@@ -16,13 +16,13 @@ struct SlidingSurface {
   std::vector<double> gap;     ///< [L0]
   double cutoff = 0;           ///< gap from which on nothing resists slip [L0]
 };
-/// By the names of terms, see Model::slot_names().
+/// By the names of interactions, see Model::slot_names().
 using SlidingSurfaces = std::map<std::string, SlidingSurface>;
 
 /// Sets the histories of a model to those of a model on another mesh of the same unsplit cells. A point takes the mean
 /// of the points around it in the cell, or on the side, that it lay in: with weights that are linear between them, and
-/// constant beyond the outermost ones, see move_columns(). So a cell that stays keeps its numbers to the last bit, a
-/// function that is linear in the reference coordinates stays that function between the outermost points, and no
+/// constant beyond the outermost ones, see move_columns(). A cell that both meshes have keeps its numbers to the last
+/// bit, a function that is linear in the reference coordinates stays that function between the outermost points, and no
 /// number leaves the range that it had there. A point between two old cells takes the mean of both. Tractions of
 /// friction lose their part along the normal, and vanish where nothing resists slip. The sums of what points dissipated
 /// change with the points. A point whose cell or side had none keeps its own. Lists, such as the visibility of a

@@ -92,6 +92,21 @@ void SplitMesh::find_cells() {
 
 int SplitMesh::leaf_of(const Cell& cell) const { return leaves_[at(cell.block)][at(cell.cell)]; }
 
+int SplitMesh::face_of(const Cell& cell, int side) const {
+  const ElementBlock& block = mesh_.blocks[at(cell.block)];
+  const TreeCell& leaf = tree_.cell(leaf_of(cell));
+  Corners own;
+  for (const int corner : side_nodes(corner_type(block.type), side))
+    own.insert(block.nodes[cell_entry(cell.cell, nodes_per_cell(block.type), corner)]);
+  for (int face = 0; face < 2 * mesh_.dimension; ++face) {
+    Corners of_face;
+    for (int bits = 0; bits < 1 << mesh_.dimension; ++bits)
+      if ((bits >> (face / 2) & 1) == face % 2) of_face.insert(leaf.corners[at(bits)]);
+    if (of_face == own) return face;
+  }
+  throw std::logic_error("a side of the mesh is no face of its leaf");
+}
+
 SplitMesh::Axes SplitMesh::axes_of(const Cell& cell) const {
   const ElementBlock& block = mesh_.blocks[at(cell.block)];
   const TreeCell& leaf = tree_.cell(leaf_of(cell));

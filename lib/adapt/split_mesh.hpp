@@ -32,6 +32,9 @@ class SplitMesh {
   /// Returns the cell that a leaf is, and the leaf that a cell is, by its number in the tree.
   const Cell& cell_of(int leaf) const { return cells_[static_cast<std::size_t>(leaf)]; }
   int leaf_of(const Cell& cell) const;
+  /// Returns the face of the unsplit cell on which a side of a cell lies, or would lie if it were not inside: twice the
+  /// axis across it, and the end.
+  int face_of(const Cell& cell, int side) const;
 
   /// Returns the point at reference coordinates of a cell, and the reference coordinates of a point of it.
   RootPoint root_point(const Cell& cell, const std::array<double, 3>& xi) const;

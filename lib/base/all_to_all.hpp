@@ -38,4 +38,18 @@ std::vector<std::vector<T>> all_to_all(const std::vector<std::vector<T>>& out, c
   return in;
 }
 
+/// Returns parts one behind the other.
+template <class T>
+std::vector<T> joined(const std::vector<std::vector<T>>& parts) {
+  std::vector<T> all;
+  for (const std::vector<T>& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// Returns the numbers of all ranks, one behind the other, on each of them. Collective.
+template <class T>
+std::vector<T> of_all_ranks(const std::vector<T>& mine, const Comm& comm) {
+  return joined(all_to_all(std::vector<std::vector<T>>(static_cast<std::size_t>(comm->getSize()), mine), comm));
+}
+
 }  // namespace ixos

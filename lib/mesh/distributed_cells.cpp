@@ -60,13 +60,6 @@ std::vector<long long> first_numbers(const DistributedMesh& mesh, const Comm& co
   return until;
 }
 
-template <class T>
-std::vector<T> joined(const std::vector<std::vector<T>>& parts) {
-  std::vector<T> all;
-  for (const std::vector<T>& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
-
 /// Throws InputError for two cells with the same corners: each rank that owns one of these has received both.
 void refuse_repeated_cells(const TouchingCells& touching, int corners) {
   std::set<std::vector<long long>> seen;

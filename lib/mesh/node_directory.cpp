@@ -41,7 +41,7 @@ NodeDirectory::NodeDirectory(const std::vector<long long>& ids, const std::vecto
     for (std::size_t k = 0; k < d; ++k) entry.x[k] = coordinates[i * d + k];
     out[keeper(ids[i])].push_back(entry);
   }
-  for (const std::vector<NodeEntry>& from : all_to_all(out, comm)) kept_.insert(kept_.end(), from.begin(), from.end());
+  kept_ = joined(all_to_all(out, comm));
   std::stable_sort(kept_.begin(), kept_.end(), has_lesser_id);
   together<InputError>(comm, [&] {
     const auto twice = std::adjacent_find(kept_.begin(), kept_.end(),
@@ -91,8 +91,7 @@ std::vector<std::vector<int>> NodeDirectory::find_members(const std::vector<SetM
                                                           const std::vector<long long>& ids) const {
   std::vector<std::vector<SetMember>> out(static_cast<std::size_t>(comm_->getSize()));
   for (const SetMember& member : members) out[keeper(member.id)].push_back(member);
-  std::vector<SetMember> known;
-  for (const std::vector<SetMember>& from : all_to_all(out, comm_)) known.insert(known.end(), from.begin(), from.end());
+  std::vector<SetMember> known = joined(all_to_all(out, comm_));
   const auto before = [](const SetMember& a, const SetMember& b) {
     return std::pair(a.id, a.set) < std::pair(b.id, b.set);
   };

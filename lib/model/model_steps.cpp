@@ -49,8 +49,12 @@ ModelWork Model::accept(const AcceptedStep& step, TermHistories& histories) cons
 
 std::vector<std::string> Model::slot_names() const {
   std::vector<std::string> names(slots_);
-  for (const NamedTerm& own : terms_)
-    std::fill(names.begin() + static_cast<std::ptrdiff_t>(own.term->slot()), names.end(), own.name);
+  for (const NamedTerm& own : terms_) {
+    const auto interaction = std::find_if(interactions_.begin(), interactions_.end(),
+                                          [&](const NamedInteraction& named) { return named.term == own.term.get(); });
+    std::fill(names.begin() + static_cast<std::ptrdiff_t>(own.term->slot()), names.end(),
+              interaction == interactions_.end() ? own.name : interaction->name);
+  }
   return names;
 }
 

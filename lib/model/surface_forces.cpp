@@ -26,6 +26,10 @@ std::string why_no_cutoff(const GapLaw& law, double cutoff) {
 
 }  // namespace
 
+std::shared_ptr<const GapLaw> acting_law(const SurfaceForces& forces) {
+  return forces.cutoff > 0 ? forces.law->cut_off(forces.cutoff) : forces.law;
+}
+
 std::optional<Refusal> refusal_of_forces(const SurfaceForces& forces) {
   if (!forces.law) return Refusal{"Law", "", "is missing"};
   if (forces.points < 0 || forces.points > most_points_on_a_side)

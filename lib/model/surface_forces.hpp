@@ -30,6 +30,9 @@ struct SurfaceForces {
   Friction friction{};  ///< along the obstacle or the other surface, scaled by the factor like the law; None: none
 };
 
+/// Returns the law up to its cutoff, if it has one.
+std::shared_ptr<const GapLaw> acting_law(const SurfaceForces& forces);
+
 /// Returns what is not allowed of the settings that all interactions have; nothing if all are allowed: a law that is
 /// missing, numbers out of range, a cutoff that is neither 0 nor beyond the law's adhesion gap, or within the range of
 /// a law with a history, and friction whose traction would jump within a step.

@@ -141,7 +141,7 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
     problem = bad_factor(pair, mesh, surfaces.secondary.nodes);
   });
   if (problem = first_problem(comm, problem); !problem.empty()) refuse(pair, problem);
-  const auto law = pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law;
+  const auto law = acting_law(pair);
   PairOptions options{pair.points, pair.margin, {pair.factor, pair.nodal_factor}, pair.exclusion};
   if (pair.passes == Passes::DoubleIntegral) options.points = 0;  // the least distance only says what is admissible
   options.share = pair.passes == Passes::Two ? 0.5 : 1;

@@ -35,10 +35,7 @@ class Handover final : public MemoryRecord {
     if (extent == Extent::Local) space_.update_ghosts(values.data());
   }
   void all_shares(const char* name, std::vector<double>& values) override {
-    const std::vector<std::vector<double>> mine(static_cast<std::size_t>(space_.comm()->getSize()), of(name).numbers);
-    values.clear();
-    for (const std::vector<double>& share : all_to_all(mine, space_.comm()))
-      values.insert(values.end(), share.begin(), share.end());
+    values = of_all_ranks(of(name).numbers, space_.comm());
   }
 
  private:

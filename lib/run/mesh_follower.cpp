@@ -19,17 +19,13 @@
 namespace ixos {
 namespace {
 
-std::shared_ptr<const GapLaw> acting_law(const SceneInteraction& interaction) {
-  return interaction.cutoff > 0 ? interaction.law->cut_off(interaction.cutoff) : interaction.law;
-}
-
-/// Returns the surfaces with friction in the present state. Collective.
-SlidingSurfaces sliding_surfaces(const Simulation& simulation) {
+/// Returns the surfaces with friction in a state. Collective.
+SlidingSurfaces sliding_surfaces(const Simulation& simulation, const State& state) {
   SlidingSurfaces surfaces;
   const Mesh& mesh = simulation.split_mesh().mesh();
   const LocalMesh& local = simulation.model().mesh();
   const Comm& comm = simulation.model().space().comm();
-  const StateReport report(simulation.model(), simulation.integrator().state());
+  const StateReport report(simulation.model(), state);
   for (const SceneInteraction& interaction : simulation.interactions()) {
     if (interaction.friction.type == FrictionType::None) continue;
     const std::string& name = interaction.node.name();
@@ -37,21 +33,27 @@ SlidingSurfaces sliding_surfaces(const Simulation& simulation) {
     std::vector<double> gap = group.gap();
     std::replace_if(
         gap.begin(), gap.end(), [](double own) { return std::isnan(own); }, 0.0);  // away from the surface
-    surfaces["friction of " + name] = {
-        whole_field(local, comm, group.normal(), static_cast<std::size_t>(mesh.dimension), mesh.nodes()),
-        whole_field(local, comm, gap, 1, mesh.nodes()),
-        FrictionLaw(interaction.friction, acting_law(interaction)).cutoff()};
+    surfaces[name] = {whole_field(local, comm, group.normal(), static_cast<std::size_t>(mesh.dimension), mesh.nodes()),
+                      whole_field(local, comm, gap, 1, mesh.nodes()),
+                      FrictionLaw(interaction.friction, acting_law(interaction)).cutoff()};
   }
   return surfaces;
 }
 
-/// Returns whether the points keep what their state alone gave them: no step was taken. Collective.
-bool is_without_past(const Simulation& simulation) {
-  const Model& model = simulation.model();
-  const State& state = simulation.integrator().state();
-  TermHistories first = model.create_histories();
-  model.initialize(known_states({state}, 1).front(), first);
-  return model.space().maximum(first == state.histories ? 0 : 1) == 0;
+/// Returns a state whose points keep what it alone gives them.
+State without_past(const Model& model, const std::vector<double>& u, const std::vector<double>& v, double time) {
+  State state{u, v, {}};
+  state.time = time;
+  state.histories = model.create_histories();
+  model.initialize(known_states({state}, 1).front(), state.histories);
+  return state;
+}
+
+/// Returns whether some points keep more than that. Collective.
+bool has_past(const Model& model, const State& state) {
+  if (!keeps_something(state.histories)) return false;
+  return model.space().maximum(without_past(model, state.u, state.v, state.time).histories == state.histories ? 0 : 1) >
+         0;
 }
 
 /// Returns what a state asks of the mesh; in the middle of a step the front alone, as waves of strain would have most
@@ -88,12 +90,13 @@ std::shared_ptr<Simulation> moved(const Simulation& simulation, const CellSplits
   Motion motion =
       moved_motion(simulation.split_mesh(), simulation.model(), before.state(), next->split_mesh(), next->model());
   try {
-    integrator.initialize(std::move(motion.u), std::move(motion.v), before.time());
-    if (keeps_something(before.state().histories) && !is_without_past(simulation)) {
-      State state = integrator.state();
+    if (has_past(simulation.model(), before.state())) {
+      State state = without_past(next->model(), motion.u, motion.v, before.time());
       move_histories(simulation.split_mesh(), simulation.model(), before.state().histories, next->split_mesh(),
-                     next->model(), sliding_surfaces(*next), state.histories);
+                     next->model(), sliding_surfaces(*next, state), state.histories);
       integrator.resume(state);
+    } else {
+      integrator.initialize(std::move(motion.u), std::move(motion.v), before.time());
     }
   } catch (const InputError& error) {
     reason = error.what();

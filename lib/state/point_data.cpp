@@ -79,14 +79,14 @@ void PointData::set_cell(std::size_t cell, const double* values) {
 
 void PointData::transfer(Record& record) {
   const std::size_t size = points_ * numbers_;
-  const std::vector<double> own = this->cells();
-  std::vector<double> values, cells = own;
+  std::vector<double> values, cells = this->cells();
   if (!record.loading()) {
     values = cell_by_cell();
     record.share("cells", cells);
     record.share("values", values);
     return;
   }
+  const std::vector<double> own = cells;
   if (record.same_partition()) {
     record.share("cells", cells);
     record.share("values", values);

@@ -1,4 +1,4 @@
-// What points keep goes from mesh to mesh.
+// The numbers that quadrature points keep move from mesh to mesh.
 #include "adapt/moved_histories.hpp"
 
 #include <gtest/gtest.h>
@@ -158,8 +158,8 @@ TEST(MovedHistoriesTest, TractionsFollowTheSurface) {
     fill(before);
     const auto nodes = static_cast<std::size_t>(after.mesh.mesh().nodes());
     SlidingSurface surface{std::vector<double>(2 * nodes, std::sqrt(0.5)), std::vector<double>(nodes, 0.5), cutoff};
-    move_histories(before.mesh, *before.model, before.histories, after.mesh, *after.model,
-                   {{"friction of interaction", surface}}, after.histories);
+    move_histories(before.mesh, *before.model, before.histories, after.mesh, *after.model, {{"interaction", surface}},
+                   after.histories);
     double largest = 0;
     after.for_each([&](PointColumns& columns, std::size_t row, std::size_t q, const std::array<double, 3>&) {
       if (columns.columns.front().kind != ColumnKind::SurfaceVector) return;

@@ -28,7 +28,7 @@ double fall_of_attraction(const GapLaw& law) {
 std::string steep_law_hint(const std::vector<SceneInteraction>& interactions) {
   constexpr double limit = 0.15;
   for (const SceneInteraction& own : interactions) {
-    const auto law = own.cutoff > 0 ? own.law->cut_off(own.cutoff) : own.law;
+    const auto law = acting_law(own);
     const double share = fall_of_attraction(*law);
     if (share < limit)
       return fmt::format(
