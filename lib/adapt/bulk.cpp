@@ -19,6 +19,18 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 using Gradient = std::array<double, 9>;
 
+/// Returns the mean of the corners of an element.
+template <class Element>
+std::array<double, Element::dimension> middle_of() {
+  constexpr ReferenceShape shape = CellTraits<Element>::shape;
+  std::array<double, Element::dimension> middle{};
+  if constexpr (shape != ReferenceShape::Quadrilateral && shape != ReferenceShape::Hexahedron)
+    for (const auto& corner : Element::corners)
+      for (std::size_t i = 0; i < middle.size(); ++i)
+        middle[i] += corner[i] / static_cast<double>(Element::corners.size());
+  return middle;
+}
+
 /// Returns du/dX at the middle of a cell.
 Gradient middle_gradient(const Mesh& mesh, const ElementBlock& block, int cell, const std::vector<double>& u) {
   return with_element(block.type, [&](auto tag) {
@@ -26,7 +38,7 @@ Gradient middle_gradient(const Mesh& mesh, const ElementBlock& block, int cell, 
     constexpr std::size_t D = Element::dimension;
     std::array<double, Element::nodes> value, ones;
     std::array<std::array<double, D>, Element::nodes> slope;
-    evaluate_tied<Element>(block.tied, {}, value, slope);
+    evaluate_tied<Element>(block.tied, middle_of<Element>(), value, slope);
     ones.fill(1);
     const int* const nodes = &block.nodes[cell_entry(cell, Element::nodes)];
     const Small<double, D> map = jacobian<D>(mesh.coordinates, nodes, ones, slope);
@@ -48,7 +60,6 @@ int halvings(const TreeCell& cell) { return cell.halvings[0] + cell.halvings[1] 
 BulkStrain::BulkStrain(const SplitMesh& mesh, const std::vector<double>& u, int directions)
     : mesh_(mesh), directions_(directions), jumps_(mesh.tree().cells().size(), 0.0) {
   const Mesh& own = mesh.mesh();
-  const int corners = 1 << own.dimension;
   std::vector<Gradient> middles;
   std::map<std::string, std::vector<Gradient>> sums;  // by name of the block: materials may differ
   std::map<std::string, std::vector<double>> counts;
@@ -60,7 +71,7 @@ BulkStrain::BulkStrain(const SplitMesh& mesh, const std::vector<double>& u, int 
     std::size_t number = 0;
     for (std::size_t b = 0; b < own.blocks.size(); ++b)
       for (int cell = 0; cell < own.blocks[b].cells(); ++cell, ++number)
-        for (int a = 0; a < corners; ++a)
+        for (int a = 0; a < nodes_per_cell(corner_type(own.blocks[b].type)); ++a)
           visit(number, SplitMesh::Cell{static_cast<int>(b), cell},
                 at(own.blocks[b].nodes[cell_entry(cell, nodes_per_cell(own.blocks[b].type), a)]), a);
   };
@@ -85,7 +96,7 @@ BulkStrain::BulkStrain(const SplitMesh& mesh, const std::vector<double>& u, int 
 
 double BulkStrain::in(int k, const TreeCell& cell) const {
   const TreeCell& own = mesh_.tree().cell(k);
-  if (own.first_child >= 0) return std::max(in(own.first_child, cell), in(own.first_child + 1, cell));
+  if (own.is_split()) return std::max(in(own.first_child, cell), in(own.first_child + 1, cell));
   return jumps_[at(k)] * std::exp2(static_cast<double>(halvings(own) - halvings(cell)) / directions_);
 }
 

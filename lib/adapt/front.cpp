@@ -13,11 +13,6 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-bool touches(const TreeCell& cell, int face) {
-  const std::size_t axis = at(face / 2);
-  return face % 2 == 0 ? cell.lower[axis] == -1 : cell.upper[axis] == 1;
-}
-
 }  // namespace
 
 double strength(const GapLaw& law) {
@@ -58,13 +53,13 @@ void Front::add(const Side& side) {
   const std::vector<int> nodes = nodes_of_side(mesh_.mesh(), side);
   const TreeCell& leaf = tree.cell(mesh_.leaf_of({side.block, side.cell}));
   const int face = mesh_.face_of({side.block, side.cell}, side.side);
-  if (!touches(leaf, face)) return;
+  if (face < 0 || !leaf.touches(face)) return;
   for (int k = tree.root(leaf.block, leaf.root);;) {
     Range& range = ranges_[{k, face}];
     for (const int node : nodes) range.add(gaps_[at(node)]);
     if (tree.is_leaf(k)) return leaves_.push_back(k);
     const int child = tree.cell(k).first_child;
-    k = tree.cell(child).contains(leaf.lower, leaf.upper) ? child : child + 1;
+    k = tree.cell(child).contains(leaf) ? child : child + 1;
   }
 }
 
@@ -73,16 +68,12 @@ Front::Range Front::range(const TreeCell& cell, int face) const {
   const auto found = ranges_.find({around, face});
   if (found == ranges_.end()) return {};
   const TreeCell& old = mesh_.tree().cell(around);
-  const bool is_part = old.first_child < 0 && (cell.lower != old.lower || cell.upper != old.upper);
+  const bool is_part = !old.is_split() && !cell.is_same_part(old);
   if (!is_part) return found->second;
   Range range;
-  for (int bits = 0; bits < 1 << mesh_.mesh().dimension; ++bits) {
-    if ((bits >> (face / 2) & 1) != face % 2) continue;
-    RootPoint corner{cell.block, cell.root, {}};
-    for (int k = 0; k < mesh_.mesh().dimension; ++k)
-      corner.at[at(k)] = ((bits >> k & 1) != 0 ? cell.upper : cell.lower)[at(k)];
+  for (const int corner : cell.corners_on(face)) {
     double gap = 0;
-    evaluate(mesh_, gaps_, 1, corner, &gap);
+    evaluate(mesh_, gaps_, 1, {cell.block, cell.root, cell.place(corner)}, &gap);
     range.add(gap);
   }
   return range;
@@ -90,8 +81,9 @@ Front::Range Front::range(const TreeCell& cell, int face) const {
 
 double Front::change(const TreeCell& cell) const {
   double change = 0;
-  for (int face = 0; face < 2 * mesh_.mesh().dimension; ++face) {
-    if (!touches(cell, face)) continue;
+  if (cell.shape == TreeShape::Whole) return 0;  // it cannot be split
+  for (int face = 0; face < cell.faces(); ++face) {
+    if (!cell.touches(face)) continue;
     const Range own = range(cell, face);
     if (own.least <= own.largest) change = std::max(change, traction_change(*law_, own.least, own.largest));
   }

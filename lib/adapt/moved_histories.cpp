@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "adapt/field_at.hpp"
+#include "adapt/point_shares.hpp"
 #include "base/all_to_all.hpp"
 #include "fem/cell_info.hpp"
 #include "state/moved.hpp"
@@ -57,6 +58,13 @@ class Places {
     const CellType type = mesh_.mesh().blocks[at(owner.block)].type;
     const auto corners = side_nodes(corner_type(type), owner.side);
     const auto corner = [&](std::size_t k) { return *reference_place(type, at(corners[k])); };
+    if (corners.size() == 3) {
+      const RootPlace origin = corner(0), first = corner(1), second = corner(2);
+      RootPlace result{};
+      for (std::size_t i = 0; i < 3; ++i)
+        result[i] = origin[i] + place[0] * (first[i] - origin[i]) + place[1] * (second[i] - origin[i]);
+      return result;
+    }
     const double s = (1 + place[0]) / 2, t = (1 + place[1]) / 2;
     if (mesh_.mesh().dimension == 2) return mean(corner(0), corner(1), s);
     return mean(mean(corner(0), corner(1), s), mean(corner(3), corner(2), s), t);
@@ -91,41 +99,6 @@ PointColumns gathered(const PointColumns& own, const Comm& comm) {
   return result;
 }
 
-constexpr double same = 1e-10;  ///< difference of reference coordinates up to which two are one
-
-/// Returns the shares of the points of a tensor grid in a point, which lies among them or beyond.
-std::vector<PointShare> shares_of(const std::vector<RootPoint>& grid, std::size_t cell, const RootPoint& point) {
-  struct Neighbour {
-    double coordinate, weight;
-  };
-  std::array<std::vector<Neighbour>, 3> along;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    double below = -HUGE_VAL, above = HUGE_VAL;
-    for (const RootPoint& known : grid) {
-      const double x = known.at[axis];
-      if (x <= point.at[axis] + same) below = std::max(below, x);
-      if (x >= point.at[axis] - same) above = std::min(above, x);
-    }
-    if (below == -HUGE_VAL) below = above;
-    if (above == HUGE_VAL || above - below <= 2 * same) above = below;
-    const double share = above == below ? 0 : (point.at[axis] - below) / (above - below);
-    along[axis].push_back({below, 1 - share});
-    if (share > 0) along[axis].push_back({above, share});
-  }
-  std::vector<PointShare> shares;
-  for (std::size_t q = 0; q < grid.size(); ++q) {
-    double weight = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto found = std::find_if(along[axis].begin(), along[axis].end(), [&](const Neighbour& neighbour) {
-        return std::abs(neighbour.coordinate - grid[q].at[axis]) <= same;
-      });
-      weight *= found == along[axis].end() ? 0 : found->weight;
-    }
-    if (weight > 0) shares.push_back({cell, q, weight});
-  }
-  return shares;
-}
-
 /// The numbers of one kind before, by leaf and face.
 class Past {
  public:
@@ -152,10 +125,8 @@ class Past {
         if (around.empty()) continue;
         PointSource source{row, q, {}, {}};
         for (const Found& found : around)
-          for (PointShare share : shares_of(grid_of(found), found.second, point)) {
-            share.weight /= static_cast<double>(around.size());
-            source.shares.push_back(share);
-          }
+          for (const auto& [number, weight] : shares_of(found, point))
+            source.shares.push_back({found.second, number, weight / static_cast<double>(around.size())});
         if (surface != nullptr) {
           source.normal = normal_at(mesh, *surface, point);
           double gap = 0;
@@ -174,24 +145,23 @@ class Past {
 
   /// Returns the rows of one term at a point, several if it lies between cells.
   std::vector<Found> rows_around(const RootPoint& point, int face) const {
-    const int dimension = mesh_.tree().dimension();
     std::vector<Found> rows;
-    for (int bits = 0; bits < 1 << dimension; ++bits) {
-      RootPoint beside = point;
-      for (int axis = 0; axis < dimension; ++axis)
-        beside.at[at(axis)] = std::clamp(beside.at[at(axis)] + ((bits >> axis & 1) != 0 ? same : -same), -1.0, 1.0);
-      const auto found = found_.find({mesh_.tree().leaf_at(beside), face});
+    for (const int leaf : mesh_.tree().leaves_at(point, same_place)) {
+      const auto found = found_.find({leaf, face});
       if (found == found_.end() || std::find(rows.begin(), rows.end(), found->second) != rows.end()) continue;
       if (rows.empty() || rows.front().first == found->second.first) rows.push_back(found->second);
     }
     return rows;
   }
-  const std::vector<RootPoint>& grid_of(const Found& found) const {
-    std::vector<RootPoint>& grid = grids_[found];
-    if (grid.empty())
+  std::vector<ShareOfPoint> shares_of(const Found& found, const RootPoint& point) const {
+    std::vector<RootPlace>& points = points_[found];
+    if (points.empty())
       for (const auto& place : all_[found.first].places)
-        grid.push_back(places_.point(all_[found.first].values.owners()[found.second], place));
-    return grid;
+        points.push_back(places_.point(all_[found.first].values.owners()[found.second], place).at);
+    const SplitTree& tree = mesh_.tree();
+    return tree.cell(tree.root(point.block, point.root)).shape == TreeShape::Box
+               ? shares_in_grid(points, point.at)
+               : shares_in_simplex(points, tree.dimension(), point.at);
   }
   static std::array<double, 3> normal_at(const SplitMesh& mesh, const SlidingSurface& surface, const RootPoint& point) {
     std::array<double, 3> normal{};
@@ -214,7 +184,7 @@ class Past {
   const Places places_;
   std::vector<PointColumns> all_;               ///< by term
   std::map<std::pair<int, int>, Found> found_;  ///< by leaf and face
-  mutable std::map<Found, std::vector<RootPoint>> grids_;
+  mutable std::map<Found, std::vector<RootPlace>> points_;
 };
 
 /// Calls visit(term's name, kind, columns) for all that a model's points keep.

@@ -4,6 +4,9 @@
 
 namespace ixos {
 
+/// The most levels that a scene may ask for.
+constexpr int most_adapt_levels = 12;
+
 /// The settings of a scene's list "Mesh/Adapt".
 struct AdaptOptions {
   int levels = 0;            ///< halvings of an edge at most; 0: the mesh stays

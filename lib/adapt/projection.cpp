@@ -10,6 +10,7 @@
 #include "fem/jacobian.hpp"
 #include "fem/quadrature.hpp"
 #include "fem/revolved.hpp"
+#include "fem/shape_table.hpp"
 #include "fem/ties.hpp"
 #include "fem/with_element.hpp"
 
@@ -18,23 +19,44 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// A box in a whole cell.
-struct Box {
-  std::array<double, 3> lower, upper;
-};
-
-/// Collects what the leaves of a tree cut out of a box.
-void collect(const SplitTree& tree, int k, const Box& box, std::vector<Box>& pieces) {
+/// Collects the parts that a cell of another tree of the same whole cells has in common with the leaves of this one:
+/// boxes overlap, simplices are one another's parts.
+void collect(const SplitTree& tree, int k, const TreeCell& part, std::vector<TreeCell>& pieces) {
   const TreeCell& cell = tree.cell(k);
-  Box cut = box;
-  for (std::size_t i = 0; i < at(tree.dimension()); ++i) {
-    cut.lower[i] = std::max(box.lower[i], cell.lower[i]);
-    cut.upper[i] = std::min(box.upper[i], cell.upper[i]);
-    if (!(cut.lower[i] < cut.upper[i])) return;
+  TreeCell common = part;
+  if (part.shape == TreeShape::Box) {
+    for (std::size_t i = 0; i < at(tree.dimension()); ++i) {
+      common.lower[i] = std::max(part.lower[i], cell.lower[i]);
+      common.upper[i] = std::min(part.upper[i], cell.upper[i]);
+      if (!(common.lower[i] < common.upper[i])) return;
+    }
+  } else if (!cell.contains(part)) {
+    if (!part.contains(cell)) return;
+    common = cell;
   }
-  if (tree.is_leaf(k)) return pieces.push_back(cut);
-  collect(tree, cell.first_child, box, pieces);
-  collect(tree, cell.first_child + 1, box, pieces);
+  if (tree.is_leaf(k)) return pieces.push_back(common);
+  collect(tree, cell.first_child, part, pieces);
+  collect(tree, cell.first_child + 1, part, pieces);
+}
+
+/// Returns the volume of a box or a simplex in its root, up to a factor that all of one kind have.
+double volume_of(const TreeCell& part) {
+  double volume = 1;
+  if (part.shape == TreeShape::Simplex) return std::exp2(-part.halvings[0]);
+  for (std::size_t i = 0; i < at(part.dimension()); ++i) volume *= part.upper[i] - part.lower[i];
+  return volume;
+}
+
+/// Returns a point of a part of a cell at reference coordinates of its shape.
+RootPoint point_of(const TreeCell& part, const double* xi) {
+  RootPoint point{part.block, part.root, part.place(0)};
+  for (int k = 0; k < part.dimension(); ++k) {
+    const bool is_box = part.shape == TreeShape::Box;
+    const RootPlace end = part.place(is_box ? 1 << k : k + 1);
+    const double share = is_box ? (xi[k] + 1) / 2 : xi[k];
+    for (std::size_t i = 0; i < 3; ++i) point.at[i] += share * (end[i] - part.place(0)[i]);
+  }
+  return point;
 }
 
 class Projection {
@@ -62,15 +84,18 @@ class Projection {
       const SplitMesh::Cell& old = from_.cell_of(around);
       const ElementBlock& before = from_.mesh().blocks[at(old.block)];
       const TreeCell& whole = from_.tree().cell(around);
-      const bool is_same = whole.lower == leaf.lower && whole.upper == leaf.upper;
-      const bool are_plain = !is_enriched(before.type) && !is_enriched(block.type);
+      const bool is_same = whole.is_same_part(leaf);
+      const bool are_plain = is_kept_by_parts(before.type) && is_kept_by_parts(block.type);
       const bool is_same_function = are_plain || (is_same && before.type == block.type && before.tied == block.tied);
       if (is_same_function && !follows_others(block, local_cell)) return;
     }
-    std::vector<Box> pieces;
-    collect(from_.tree(), around, {leaf.lower, leaf.upper}, pieces);
-    for (const Box& piece : pieces) integrate(block, local_cell, cell, density, piece);
+    std::vector<TreeCell> pieces;
+    collect(from_.tree(), around, leaf, pieces);
+    for (const TreeCell& piece : pieces) integrate(block, local_cell, cell, density, piece);
   }
+
+  /// Returns whether the functions of a type of cells are functions of its parts, too.
+  static bool is_kept_by_parts(CellType type) { return !is_enriched(type) && !cell_info(type).bubbles; }
 
   /// Returns whether a tied node of the cell has other values than the field before: cells beside it were joined.
   bool follows_others(const LocalBlock& block, int local_cell) const {
@@ -91,24 +116,19 @@ class Projection {
   }
 
   void integrate(const LocalBlock& block, int local_cell, const SplitMesh::Cell& cell, double density,
-                 const Box& piece) {
+                 const TreeCell& piece) {
     with_element(block.type, [&](auto tag) {
       using Element = typename decltype(tag)::type;
       constexpr std::size_t D = Element::dimension;
-      std::array<int, D> along;
-      along.fill(is_enriched(block.type) || is_quadratic(block.type) ? 6 : 4);
-      const QuadratureRule<D> rule = product_rule<D>(along);
+      const QuadratureRule<D> rule = element_rule<Element>(is_enriched(block.type) || is_quadratic(block.type) ? 6 : 4);
       const TreeCell& leaf = to_.tree().cell(to_.leaf_of(cell));
       const int* const nodes = &block.nodes[cell_entry(local_cell, Element::nodes)];
       std::array<double, Element::nodes> ones, shape;
       ones.fill(1);
       std::array<std::array<double, D>, Element::nodes> slope;
-      double share = 1;  // of the cell's reference volume
-      for (std::size_t i = 0; i < D; ++i) share *= (piece.upper[i] - piece.lower[i]) / (leaf.upper[i] - leaf.lower[i]);
+      const double share = volume_of(piece) / volume_of(leaf);  // of the cell's reference volume
       for (std::size_t q = 0; q < rule.size(); ++q) {
-        RootPoint point{leaf.block, leaf.root, {}};
-        for (std::size_t i = 0; i < D; ++i)
-          point.at[i] = piece.lower[i] + (rule.points[q][i] + 1) / 2 * (piece.upper[i] - piece.lower[i]);
+        const RootPoint point = point_of(piece, rule.points[q].data());
         const std::array<double, 3> place = to_.reference_point(cell, point);
         std::array<double, D> xi;
         std::copy_n(place.begin(), D, xi.begin());

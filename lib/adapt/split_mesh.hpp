@@ -32,8 +32,8 @@ class SplitMesh {
   /// Returns the cell that a leaf is, and the leaf that a cell is, by its number in the tree.
   const Cell& cell_of(int leaf) const { return cells_[static_cast<std::size_t>(leaf)]; }
   int leaf_of(const Cell& cell) const;
-  /// Returns the face of the unsplit cell on which a side of a cell lies, or would lie if it were not inside: twice the
-  /// axis across it, and the end.
+  /// Returns the face of the unsplit cell on which a side of a cell lies, see TreeCell::faces(); one inside a box is
+  /// named as if it lay outside, one inside a simplex -1.
   int face_of(const Cell& cell, int side) const;
 
   /// Returns the point at reference coordinates of a cell, and the reference coordinates of a point of it.
@@ -44,11 +44,12 @@ class SplitMesh {
   const std::vector<std::optional<RootPoint>>& places() const { return places_; }
 
  private:
-  /// The root coordinates of a cell's first corner, and what the reference coordinates from -1 to 1 add.
+  /// What takes reference coordinates of a cell to places in its root: from `first` on, `length` of a coordinate leads
+  /// from the origin along its axis.
   struct Axes {
-    std::array<double, 3> origin{};
-    std::array<int, 3> axis{};       ///< by reference axis: that of the root
-    std::array<double, 3> length{};  ///< its length there, with a sign
+    RootPlace origin{};
+    std::array<RootPlace, 3> along{};
+    double first = 0, length = 1;
   };
   Axes axes_of(const Cell& cell) const;
   void find_cells();

@@ -20,6 +20,7 @@ bool is_above(const Signs& signs, const TreeCell& cell, const AdaptOptions& opti
 
 /// Returns the halvings that parts of a cell of the unsplit mesh may have along each axis.
 std::array<int, 3> allowed(const AdaptOptions& options, const Mesh& base, const TreeCell& part) {
+  if (part.shape != TreeShape::Box) return {part.shape == TreeShape::Simplex ? options.levels : 0, 0, 0};
   const ElementBlock& block = base.blocks[at(part.block)];
   TreeCell whole = part;
   for (int bits = 0; bits < 1 << base.dimension; ++bits)
@@ -31,6 +32,7 @@ std::array<int, 3> allowed(const AdaptOptions& options, const Mesh& base, const 
 }
 
 bool may_be_halved(const TreeCell& cell, const std::array<int, 3>& most) {
+  if (cell.shape == TreeShape::Simplex) return cell.halvings[0] < cell.dimension() * most[0];
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (cell.halvings[axis] < most[axis]) return true;
   return false;

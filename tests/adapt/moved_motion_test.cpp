@@ -86,6 +86,39 @@ TEST(MovedMotionTest, OtherCellsKeepBothMomenta) {
       }
 }
 
+TEST(MovedMotionTest, SimplicesAndCellsBesideThemKeepWhatTheyShould) {
+  for (const test::SimplexKind& cells : test::simplex_kinds()) {
+    SCOPED_TRACE(testing::Message() << cells.cells << ", order " << cells.order << (cells.bubbles ? ", bubbles" : ""));
+    const auto body = [&](int kind) {
+      return Moving(test::split_simplices(cells.cells, cells.order, cells.bubbles, kind));
+    };
+    Moving coarse = body(0), fine = body(1), other = body(2);
+    coarse.set();
+    fine.take(coarse);
+    const Momenta before = coarse.momenta(), after = fine.momenta();
+    if (cells.bubbles) {  // their functions are none of their parts
+      EXPECT_NEAR(after.kinetic_energy, before.kinetic_energy, 0.01 * before.kinetic_energy);
+    } else {
+      EXPECT_NEAR(after.kinetic_energy, before.kinetic_energy, 1e-12 * before.kinetic_energy);
+    }
+    expect_same_momenta(before, after, 2e-12 * before.kinetic_energy);
+    other.take(fine);
+    expect_same_momenta(before, other.momenta(), 4e-12 * before.kinetic_energy);
+  }
+}
+
+TEST(MovedMotionTest, AThousandChangesOfTrianglesKeepBothMomenta) {
+  Moving present(test::split_simplices("triangles", 2, false, 1));
+  present.set();
+  const Momenta before = present.momenta();
+  for (int n = 0; n < 1000; ++n) {
+    Moving next(test::split_simplices("triangles", 2, false, n % 4));
+    next.take(present);
+    present = std::move(next);
+  }
+  expect_same_momenta(before, present.momenta(), 1e-11 * before.kinetic_energy);
+}
+
 TEST(MovedMotionTest, AThousandChangesKeepBothMomenta) {
   for (const int dimension : {2, 3}) {
     Moving present(split_box(dimension, ContactElement::Q1C1, 1));

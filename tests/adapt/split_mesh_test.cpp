@@ -29,6 +29,12 @@ void for_each_mesh(const Visit& visit) {
         SCOPED_TRACE(testing::Message() << dimension << "D, element " << static_cast<int>(element) << ", " << kind);
         visit(split_box(dimension, element, kind));
       }
+  for (const test::SimplexKind& cells : test::simplex_kinds())
+    for (int kind = 0; kind < 4; ++kind) {
+      SCOPED_TRACE(testing::Message() << cells.cells << ", order " << cells.order
+                                      << (cells.bubbles ? " with" : " without") << " bubbles, " << kind);
+      visit(test::split_simplices(cells.cells, cells.order, cells.bubbles, kind));
+    }
 }
 
 TEST(SplitMeshTest, EachNodeIsWhereItsPlaceIs) {
@@ -48,7 +54,7 @@ TEST(SplitMeshTest, ReferencePointsAreThoseOfRootPoints) {
     for (std::size_t b = 0; b < mesh.mesh().blocks.size(); ++b)
       for (int cell = 0; cell < mesh.mesh().blocks[b].cells(); ++cell) {
         const SplitMesh::Cell own{static_cast<int>(b), cell};
-        std::array<double, 3> xi{0.3, -0.6, mesh.mesh().dimension == 3 ? 0.8 : 0};
+        std::array<double, 3> xi{0.3, 0.4, mesh.mesh().dimension == 3 ? 0.2 : 0};  // in all shapes
         const RootPoint point = mesh.root_point(own, xi);
         EXPECT_EQ(mesh.tree().leaf_at(point), mesh.leaf_of(own));
         const std::array<double, 3> back = mesh.reference_point(own, point);

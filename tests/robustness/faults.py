@@ -35,7 +35,13 @@ def scenarios():
     hdf5 = ["Output/Fields Format=HDF5"]
     strip = [STEPS + "Time Step=1", STEPS + "Final Time=4", "Output/Fields Interval=1", "Output/Checkpoint/Interval=1",
              "Histories/Pull/Rate Ramp/Length=2", "Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type=MueLu"]
+    front = [STEPS + "Final Time=24", STEPS + "Time Step=1", "Histories/Pull/Rate Ramp/Length=20",
+             "Mesh/Box/Divisions={40, 1}", "Mesh/Adapt/Interval=3", "Mesh/Adapt/Budget=1",
+             "Output/Fields Time Interval=0", "Output/Fields Interval=4", "Output/Checkpoint/Interval=4"]
     yield "ball", "ball", ball, 1, 0, False
+    yield "strip-front", "strip-front", front, 1, 0, False
+    yield "strip-front, restarted", "strip-front", front, 1, 0, True
+    yield "strip-front, rank 1 of 2", "strip-front", front, 2, 1, False
     yield "ball, HDF5 frames", "ball", ball + hdf5, 1, 0, False
     yield "ball, restarted", "ball", ball, 1, 0, True
     yield "ball, restarted, HDF5 frames", "ball", ball + hdf5, 1, 0, True

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -77,7 +79,9 @@ class RestartTest : public testing::Test {
 
   RunResult run_scene(const std::string& scene, const std::string& name, const std::string& restart = "",
                       const std::function<bool()>& interrupted = {}) {
-    Simulation simulation(test::scene(scene), world());
+    const std::unique_ptr<Simulation> own = mesh_ ? std::make_unique<Simulation>(test::scene(scene), *mesh_, world())
+                                                  : std::make_unique<Simulation>(test::scene(scene), world());
+    Simulation& simulation = *own;
     RunOptions options;
     options.folder = folder(name);
     options.restart = restart;
@@ -153,6 +157,7 @@ class RestartTest : public testing::Test {
   }
 
   std::string folder_ = testing::TempDir() + "restart";
+  std::optional<Mesh> mesh_;  ///< a program's, in place of that of the scenes
   std::string told_, warned_;
 };
 

@@ -14,6 +14,12 @@ namespace ixos {
 
 CellSplits::Key CellSplits::key(const TreeCell& cell) {
   Key key{cell.block, cell.root};
+  if (cell.shape == TreeShape::Simplex) {
+    key[2] = cell.halvings[0];
+    key[5] = static_cast<int>(cell.path & 0x7fffffffU);
+    key[6] = static_cast<int>(cell.path >> 31U & 0x7fffffffU);
+    return key;
+  }
   for (std::size_t k = 0; k < 3; ++k) {
     key[2 + k] = cell.halvings[k];
     key[5 + k] = static_cast<int>(std::lround(std::ldexp((cell.lower[k] + 1) / 2, cell.halvings[k])));

@@ -13,7 +13,7 @@ struct TreeCell;
 /// mesh of it again.
 class CellSplits {
  public:
-  /// Notes that the cell, or part of one, is bisected along an axis.
+  /// Notes that the cell, or part of one, is bisected along an axis; 0 for simplices.
   void add(const TreeCell& cell, int axis);
   /// Returns the axis along which the cell is bisected; -1: it is not.
   int axis(const TreeCell& cell) const;
@@ -30,7 +30,8 @@ class CellSplits {
   static CellSplits of_text(const std::string& text);
 
  private:
-  /// Block, cell, halvings along each axis, and how many parts of that length come before it along each axis.
+  /// Block, cell, halvings along each axis, and how many parts of that length come before it along each axis. Of a
+  /// simplex: block, cell, bisections, 0, 0, and its path in parts of 31 bits.
   using Key = std::array<int, 8>;
   static Key key(const TreeCell& cell);
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
@@ -13,6 +15,7 @@
 #include "fem/with_element.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 #include "mesh/region.hpp"
+#include "mesh/splitting/longest_edges.hpp"
 
 namespace ixos {
 namespace {
@@ -80,46 +83,100 @@ std::array<double, 3> direction_of(const Mesh& mesh, const TreeCell& cell, int a
 CellTree::CellTree(Mesh& mesh)
     : mesh_(mesh),
       blocks_(mesh.blocks),
+      coordinates_(mesh.coordinates.size()),
       middles_(mesh.nodes()),
-      corner_(at(mesh.nodes()), 0),
       edges_(at(mesh.dimension)) {
-  const int corners = 1 << mesh.dimension;
   for (int axis = 0; axis < mesh.dimension; ++axis)
-    for (int bits = 0; bits < corners; ++bits)
+    for (int bits = 0; bits < 1 << mesh.dimension; ++bits)
       if ((bits >> axis & 1) == 0) edges_[at(axis)].push_back({bits, bits | 1 << axis});
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const ElementBlock& block = blocks_[b];
-    const int n = nodes_per_cell(block.type);
+  for (const ElementBlock& block : blocks_) {
     first_root_.push_back(roots_);
     roots_ += block.cells();
+  }
+  add_roots();
+  bound_levels();
+}
+
+void CellTree::add_roots() {
+  corner_.assign(mesh_.coordinates.size() / at(mesh_.dimension), 0);
+  const LongestEdges longest(mesh_);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const ElementBlock& block = blocks_[b];
+    const CellInfo &info = cell_info(block.type), &corners = cell_info(corner_type(block.type));
     for (int cell = 0; cell < block.cells(); ++cell) {
-      TreeCell own{static_cast<int>(b), cell, {}, {}, {-1, -1, -1}, {1, 1, 1}};
-      for (int bits = 0; bits < corners; ++bits) {
-        own.corners[at(bits)] = block.nodes[cell_entry(cell, n, corner_bits(bits))];
-        corner_[at(own.corners[at(bits)])] = 1;
+      const int* const nodes = &block.nodes[cell_entry(cell, info.nodes)];
+      TreeCell own{static_cast<int>(b), cell, tree_shape(info.shape), static_cast<std::int8_t>(corners.nodes)};
+      if (own.shape == TreeShape::Box) {
+        own.lower = {-1, -1, -1};
+        own.upper = {1, 1, 1};
+      }
+      for (int corner = 0; corner < corners.nodes; ++corner)
+        own.corners[at(corner)] = nodes[own.shape == TreeShape::Box ? corner_bits(corner) : corner];
+      for (int corner = 0; corner < corners.nodes; ++corner) corner_[at(own.corners[at(corner)])] = 1;
+      if (own.shape == TreeShape::Simplex) {
+        for (std::size_t k = 1; k < at(corners.nodes); ++k) own.vertices[k][k - 1] = 1;
+        own.marks = longest.marks(own);
       }
       cells_.push_back(own);
       if (!is_quadratic(block.type)) continue;
-      const int* const nodes = &block.nodes[cell_entry(cell, n)];
-      for (const CellMiddle& middle : cell_middles(mesh.dimension))
-        middles_.set(nodes[middle.low], nodes[middle.high], nodes[middle.node]);
+      if (own.shape == TreeShape::Box) {
+        for (const CellMiddle& middle : cell_middles(mesh_.dimension))
+          middles_.set(nodes[middle.low], nodes[middle.high], nodes[middle.node]);
+      } else {
+        for (std::size_t a = 0; a < info.node_corners.size(); ++a)
+          if (const NodeCorners& ends = info.node_corners[a]; ends.size() == 2)
+            middles_.set(nodes[ends[0]], nodes[ends[1]], nodes[a]);
+      }
     }
+  }
+}
+
+/// Cells that are never split, and those with one of their nodes, stay as they are.
+void CellTree::bound_levels() {
+  std::vector<char> of_whole_cells(corner_.size(), 0);
+  for (const TreeCell& cell : cells_)
+    for (int corner = 0; corner < (cell.shape == TreeShape::Whole ? cell.count : 0); ++corner)
+      of_whole_cells[at(cell.corners[at(corner)])] = 1;
+  most_.assign(at(roots_), std::numeric_limits<int>::max());
+  for (int root = 0; root < roots_; ++root)
+    for (int corner = 0; corner < cells_[at(root)].count; ++corner)
+      if (of_whole_cells[at(cells_[at(root)].corners[at(corner)])] != 0) most_[at(root)] = 0;
+}
+
+/// Lowers the levels that the neighbours of torn cells may have, of those that have more levels than these.
+void CellTree::lower_bounds() {
+  std::vector<int> level(at(roots_), 0);
+  std::vector<std::vector<int>> around(corner_.size());  // roots by node
+  for (const TreeCell& cell : cells_) {
+    int& own = level[at(root(cell.block, cell.root))];
+    own = std::max(own, cell.level());
+  }
+  for (int root = 0; root < roots_; ++root)
+    for (int corner = 0; corner < cells_[at(root)].count; ++corner)
+      around[at(cells_[at(root)].corners[at(corner)])].push_back(root);
+  for (const int torn : torn_) {
+    std::set<int> neighbours;
+    for (int corner = 0; corner < cells_[at(torn)].count; ++corner)
+      for (const int root : around[at(cells_[at(torn)].corners[at(corner)])]) neighbours.insert(root);
+    const bool some_are_finer =
+        std::any_of(neighbours.begin(), neighbours.end(), [&](int root) { return level[at(root)] > most_[at(torn)]; });
+    for (const int root : neighbours)
+      if (level[at(root)] > (some_are_finer ? most_[at(torn)] : 0))
+        most_[at(root)] = std::min(most_[at(root)], level[at(root)] - 1);
   }
 }
 
 std::vector<int> CellTree::leaves() const {
   std::vector<int> result;
   for (std::size_t k = 0; k < cells_.size(); ++k)
-    if (cells_[k].first_child < 0) result.push_back(static_cast<int>(k));
+    if (!cells_[k].is_split()) result.push_back(static_cast<int>(k));
   return result;
 }
 
-int CellTree::middle(const TreeCell& leaf, int a, int b, const std::array<double, 3>& place) {
+int CellTree::middle(const TreeCell& leaf, int a, int b, const RootPlace& place) {
   const int found = middles_.find(a, b);
   if (found >= 0) return found;
-  std::array<double, 3> in_root{};
-  for (std::size_t k = 0; k < 3; ++k) in_root[k] = leaf.lower[k] + place[k] * (leaf.upper[k] - leaf.lower[k]);
-  add_node(mesh_, point_in(mesh_, blocks_[at(leaf.block)], leaf.root, in_root), -1);
+  add_node(mesh_, point_in(mesh_, blocks_[at(leaf.block)], leaf.root, place), -1);
   corner_.push_back(0);
   return middles_.add(a, b);
 }
@@ -132,9 +189,8 @@ void CellTree::bisect(int cell, int axis) {
   ++low.halvings[at(axis)];
   ++high.halvings[at(axis)];
   for (const auto& [left, right] : edges_[at(axis)]) {
-    std::array<double, 3> place{};
-    for (int k = 0; k < mesh_.dimension; ++k) place[at(k)] = k == axis ? 0.5 : left >> k & 1;
-    const int node = middle(whole, whole.corners[at(left)], whole.corners[at(right)], place);
+    const int node =
+        middle(whole, whole.corners[at(left)], whole.corners[at(right)], whole.middle_place({left, right}));
     corner_[at(node)] = 1;
     low.corners[at(right)] = high.corners[at(left)] = node;
   }
@@ -143,8 +199,18 @@ void CellTree::bisect(int cell, int axis) {
   cells_.push_back(high);
 }
 
-/// Halves a leaf along several axes at once.
+void CellTree::bisect_simplex(int cell) {
+  const TreeCell whole = cells_[at(cell)];
+  const int low = whole.marks.refinement[0], high = whole.marks.refinement[1];
+  const int node = middle(whole, whole.corners[at(low)], whole.corners[at(high)], whole.middle_place({low, high}));
+  corner_[at(node)] = 1;
+  cells_[at(cell)].first_child = static_cast<int>(cells_.size());
+  for (const int end : {0, 1}) cells_.push_back(simplex_part(whole, end, node));
+}
+
+/// Halves a leaf along several axes at once; bisects a simplex.
 void CellTree::halve(int cell, const std::vector<int>& axes) {
+  if (cells_[at(cell)].shape == TreeShape::Simplex) return bisect_simplex(cell);
   std::vector<int> parts{cell};
   for (const int axis : axes) {
     std::vector<int> next;
@@ -158,12 +224,13 @@ void CellTree::halve(int cell, const std::vector<int>& axes) {
 }
 
 CornerBox CellTree::box_of(const TreeCell& cell) const {
-  return box_around(mesh_, {cell.corners.begin(), cell.corners.begin() + (1 << mesh_.dimension)});
+  return box_around(mesh_, {cell.corners.begin(), cell.corners.begin() + cell.count});
 }
 
 /// Returns the halvings that a region asks of a cell that meets it, along each axis.
 std::array<int, 3> CellTree::asked_halvings(const TreeCell& cell, const RegionSearch& region) const {
   std::array<int, 3> asked{};
+  if (cell.shape != TreeShape::Box) return {region.levels(), 0, 0};
   for (int axis = 0; axis < mesh_.dimension; ++axis)
     if (region.splits_along(direction_of(mesh_, cell, axis))) asked[at(axis)] = region.levels();
   return asked;
@@ -171,6 +238,10 @@ std::array<int, 3> CellTree::asked_halvings(const TreeCell& cell, const RegionSe
 
 std::vector<int> CellTree::axes_to_halve(const TreeCell& cell, const std::array<int, 3>& wanted) const {
   std::vector<int> axes;
+  if (cell.shape == TreeShape::Simplex) {
+    if (cell.halvings[0] < mesh_.dimension * wanted[0]) axes.push_back(0);
+    return axes;
+  }
   int fewest = 1 << 20;
   for (int axis = 0; axis < mesh_.dimension; ++axis)
     if (cell.halvings[at(axis)] < wanted[at(axis)]) fewest = std::min(fewest, cell.halvings[at(axis)]);
@@ -211,7 +282,7 @@ std::set<std::array<int, 2>> CellTree::crossing_edges() {
   };
   std::set<std::array<int, 2>> all, crossing;
   for (const int leaf : leaves())
-    for (int axis = 0; axis < mesh_.dimension; ++axis)
+    for (int axis = 0; axis < (cells_[at(leaf)].shape == TreeShape::Box ? mesh_.dimension : 0); ++axis)
       for (const auto& [left, right] : edges_[at(axis)])
         all.insert(sorted({cells_[at(leaf)].corners[at(left)], cells_[at(leaf)].corners[at(right)]}));
   for (const std::array<int, 2>& edge : all)
@@ -228,19 +299,38 @@ bool CellTree::has_one_of(const std::set<std::array<int, 2>>& edges, const TreeC
   });
 }
 
-/// Splits leaves with an edge on which others have more than its middle. Returns whether there were any.
+bool CellTree::has_middle_on_an_edge(const TreeCell& cell) {
+  for (int a = 0; a < cell.count; ++a)
+    for (int b = 0; b < a; ++b)
+      if (const int m = middles_.find(cell.corners[at(a)], cell.corners[at(b)]); m >= 0 && is_corner(m)) return true;
+  return false;
+}
+
+/// Returns the axes along which a leaf is to be halved because of the nodes of others on its edges.
+std::vector<int> CellTree::axes_for_others(const TreeCell& cell, const std::set<std::array<int, 2>>& crossed,
+                                           bool in_all_directions) {
+  if (cell.shape == TreeShape::Whole) return {};  // those beside it stay as they are
+  if (cell.shape == TreeShape::Simplex) return has_middle_on_an_edge(cell) ? std::vector<int>{0} : std::vector<int>();
+  std::vector<int> axes;
+  for (int axis = 0; axis < mesh_.dimension; ++axis)
+    if (has_two_on_an_edge(cell, axis) || has_one_of(crossed, cell, axis)) axes.push_back(axis);
+  if (axes.empty() || !in_all_directions) return axes;
+  axes.resize(at(mesh_.dimension));
+  std::iota(axes.begin(), axes.end(), 0);
+  return axes;
+}
+
+/// Splits leaves with too many nodes of others on an edge. Returns whether there were any.
 bool CellTree::balance(bool in_all_directions) {
   const auto crossed = in_all_directions ? std::set<std::array<int, 2>>() : crossing_edges();
   bool changed = false;
   for (const int leaf : leaves()) {
-    const TreeCell cell = cells_[at(leaf)];
-    std::vector<int> axes;
-    for (int axis = 0; axis < mesh_.dimension; ++axis)
-      if (has_two_on_an_edge(cell, axis) || has_one_of(crossed, cell, axis)) axes.push_back(axis);
+    const TreeCell& cell = cells_[at(leaf)];
+    const std::vector<int> axes = axes_for_others(cell, crossed, in_all_directions);
     if (axes.empty()) continue;
-    if (in_all_directions) {
-      axes.clear();
-      for (int axis = 0; axis < mesh_.dimension; ++axis) axes.push_back(axis);
+    if (!may_be_split(cell)) {
+      torn_.push_back(root(cell.block, cell.root));
+      continue;
     }
     halve(leaf, axes);
     changed = true;
@@ -268,7 +358,7 @@ double CellTree::forecast(const RegionSearch& region, std::size_t sample) {
       halve(leaf, axes);
       all += weight * ((1 << axes.size()) - 1);
       for (int part = first; part < static_cast<int>(cells_.size()); ++part)
-        if (cells_[at(part)].first_child < 0) open.push_back(part);
+        if (!cells_[at(part)].is_split()) open.push_back(part);
     }
   }
   return all;
@@ -279,20 +369,37 @@ void CellTree::refuse_more_than(long long most) const {
     throw InputError(fmt::format("the refined mesh has more than {} cells; use fewer levels or smaller regions", most));
 }
 
-void CellTree::split(const Wish& wish, bool in_all_directions, long long most) {
+/// Splits once. Returns whether no cell would have to be split that stays whole.
+bool CellTree::grow(const Wish& wish, bool in_all_directions, long long most) {
   std::vector<int> open = leaves();
   while (!open.empty()) {
     const int cell = open.back();
     open.pop_back();
     const std::vector<int> axes = wish(cells_[at(cell)]);
-    if (axes.empty()) continue;
+    if (axes.empty() || !may_be_split(cells_[at(cell)])) continue;
     const auto first = static_cast<int>(cells_.size());
     halve(cell, axes);
     for (int part = first; part < static_cast<int>(cells_.size()); ++part)
-      if (cells_[at(part)].first_child < 0) open.push_back(part);
+      if (!cells_[at(part)].is_split()) open.push_back(part);
     refuse_more_than(most);
   }
-  while (balance(in_all_directions)) refuse_more_than(most);
+  torn_.clear();
+  while (balance(in_all_directions) && torn_.empty()) refuse_more_than(most);
+  return torn_.empty();
+}
+
+void CellTree::undo() {
+  mesh_.coordinates.resize(coordinates_);
+  middles_ = MiddleNodes(mesh_.nodes());
+  cells_.clear();
+  add_roots();
+}
+
+void CellTree::split(const Wish& wish, bool in_all_directions, long long most) {
+  while (!grow(wish, in_all_directions, most)) {
+    lower_bounds();
+    undo();
+  }
 }
 
 void CellTree::split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most) {

@@ -1,4 +1,4 @@
-/// Cells that are halved along their own axes, again and again.
+/// Cells that are split, again and again: boxes along their own axes, simplices through the middles of edges.
 #pragma once
 #include <array>
 #include <functional>
@@ -28,23 +28,24 @@ const std::vector<CellMiddle>& cell_middles(int dimension);
 std::array<double, 3> direction_of(const Mesh& mesh, const TreeCell& cell, int axis);
 
 /// The cells of a mesh as trees whose leaves are the cells of a finer one. New nodes stand where the shape functions of
-/// the mesh's cells put them; those of quadratic cells are the nodes of the halves as far as they go.
+/// the mesh's cells put them; those of quadratic cells are the nodes of the halves as far as they go. Prisms, pyramids
+/// and the cells beside them stay whole.
 class CellTree {
  public:
   /// Adds nodes to the mesh, whose cells are all linear or all quadratic, and which must outlive the tree.
   explicit CellTree(Mesh& mesh);
 
-  /// Returns the axes along which a leaf is to be halved at once; none if it may stay.
+  /// Returns the axes along which a leaf is to be halved at once, of a simplex any one; none if it may stay.
   using Wish = std::function<std::vector<int>(const TreeCell& leaf)>;
 
-  /// Splits leaves until the wish names no axis for any, no edge of a leaf has more than one node of others, in its
-  /// middle, and no two cross each other on a face. A leaf that is split for the others' sake alone is halved in all
-  /// directions if `in_all_directions`. Throws InputError if that makes more cells than `most`.
+  /// Splits leaves until the wish names no axis for any, no edge of a simplex has a corner of others, no edge of a box
+  /// more than one, in its middle, and no two cross each other on a face. A leaf that is split for the others' sake
+  /// alone is halved in all directions if `in_all_directions`. Around cells that stay whole the levels rise as the
+  /// others allow, whatever is wished. Throws InputError if that makes more cells than `most`.
   void split(const Wish& wish, bool in_all_directions, long long most);
 
-  /// Splits leaves until each has the halvings of the regions that it meets, no edge of a leaf more than one node of
-  /// others, in its middle, and no two cross each other on a face. Throws InputError if that makes more cells than
-  /// `most`, or a region meets no cell; `name` returns a region in words.
+  /// Splits leaves until each has the halvings of the regions that it meets, and neighbours are as above. Throws
+  /// InputError if that makes more cells than `most`, or a region meets no cell; `name` returns a region in words.
   void split(const std::vector<RegionSearch>& regions, const std::vector<std::string>& names, long long most);
 
   /// Returns about how many leaves split() makes for one region, without those around it. Splits level by level, of
@@ -71,10 +72,9 @@ class CellTree {
   MiddleNodes& middles() { return middles_; }
   /// Returns whether the node is a corner of a leaf, or was one before it was split.
   bool is_corner(int node) const { return static_cast<std::size_t>(node) < corner_.size() && corner_[at(node)] != 0; }
-  /// Returns the node in the middle of two of a leaf's nodes, made if there is none. `place`: from 0 to 1 along the
-  /// leaf's axes.
-  int middle(const TreeCell& leaf, int a, int b, const std::array<double, 3>& place);
-  /// Returns the pairs of bits of a cell's edges along an axis.
+  /// Returns the node in the middle of two of a leaf's nodes, made if there is none at that place.
+  int middle(const TreeCell& leaf, int a, int b, const RootPlace& place);
+  /// Returns the pairs of bits of a box's edges along an axis.
   const std::vector<std::array<int, 2>>& edges(int axis) const { return edges_[at(axis)]; }
 
  private:
@@ -83,11 +83,21 @@ class CellTree {
   template <class Visit>
   void visit_leaves(int cell, const Visit& visit) const {
     const TreeCell& own = cells_[at(cell)];
-    if (own.first_child < 0) return visit(own);
+    if (!own.is_split()) return visit(own);
     visit_leaves(own.first_child, visit);
     visit_leaves(own.first_child + 1, visit);
   }
   std::vector<int> leaves() const;
+  void add_roots();
+  void bound_levels();
+  bool may_be_split(const TreeCell& cell) const { return cell.level() < most_[at(root(cell.block, cell.root))]; }
+  void lower_bounds();
+  bool grow(const Wish& wish, bool in_all_directions, long long most);
+  void undo();
+  void bisect_simplex(int cell);
+  bool has_middle_on_an_edge(const TreeCell& cell);
+  std::vector<int> axes_for_others(const TreeCell& cell, const std::set<std::array<int, 2>>& crossed,
+                                   bool in_all_directions);
   void halve(int cell, const std::vector<int>& axes);
   void bisect(int cell, int axis);
   CornerBox box_of(const TreeCell& cell) const;
@@ -100,6 +110,7 @@ class CellTree {
 
   Mesh& mesh_;
   const std::vector<ElementBlock> blocks_;  ///< as they were
+  const std::size_t coordinates_;           ///< the mesh's own, as many as it had
   std::vector<int> first_root_;             ///< by block
   int roots_ = 0;
   std::vector<TreeCell> cells_;
@@ -107,6 +118,8 @@ class CellTree {
   std::vector<char> corner_;  ///< by node
   std::vector<std::vector<std::array<int, 2>>> edges_;
   std::vector<char> met_;  ///< by region: some cell meets it
+  std::vector<int> most_;  ///< by root: the level that its parts may have
+  std::vector<int> torn_;  ///< roots that neighbours would split beyond that level
 };
 
 }  // namespace ixos

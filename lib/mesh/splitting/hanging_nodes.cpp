@@ -20,11 +20,11 @@ class HangingSearch {
   HangingNodes result() {
     // Faces first: their middles may also lie on edges of cells that are halved in one direction.
     if (tree_.dimension() == 3)
-      tree_.for_each_leaf([&](const TreeCell& leaf) {
+      for_each_box([&](const TreeCell& leaf) {
         for (int axis = 0; axis < 3; ++axis)
           for (const int end : {0, 1}) look_at_face(leaf, axis, end);
       });
-    tree_.for_each_leaf([&](const TreeCell& leaf) {
+    for_each_box([&](const TreeCell& leaf) {
       for (int axis = 0; axis < tree_.dimension(); ++axis)
         for (const auto& [left, right] : tree_.edges(axis))
           look_at_edge(leaf.corners[static_cast<std::size_t>(left)], leaf.corners[static_cast<std::size_t>(right)]);
@@ -33,6 +33,14 @@ class HangingSearch {
   }
 
  private:
+  /// Simplices have no nodes of others on their edges, and cells that stay whole have neighbours that do.
+  template <class Visit>
+  void for_each_box(const Visit& visit) const {
+    tree_.for_each_leaf([&](const TreeCell& leaf) {
+      if (leaf.shape == TreeShape::Box) visit(leaf);
+    });
+  }
+
   /// Ties a node, unless it is tied already, to those of the masters that have a weight.
   void tie(int node, const std::vector<int>& masters, const std::vector<double>& weights) {
     if (!tied_.insert(node).second) return;

@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "fem/cell_info.hpp"
 #include "fem/corner_bits.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/normalize.hpp"
 #include "mesh/side_set_nodes.hpp"
@@ -25,12 +29,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class LeafMesh {
  public:
   LeafMesh(Mesh& mesh, CellTree& tree, int nodes_before, int order)
-      : mesh_(mesh),
-        tree_(tree),
-        before_(mesh),
-        nodes_before_(nodes_before),
-        order_(order),
-        type_(cube_type(mesh.dimension, order)) {}
+      : mesh_(mesh), tree_(tree), before_(mesh), nodes_before_(nodes_before), order_(order) {}
 
   void make() {
     add_cells();
@@ -43,29 +42,56 @@ class LeafMesh {
   }
 
  private:
+  /// The type of the leaves of a block. Those of cells with bubbles are without: add_bubbles() gives them new ones.
+  CellType leaf_type(const ElementBlock& old) const {
+    const CellType corners = corner_type(old.type);
+    if (tree_shape(cell_info(old.type).shape) == TreeShape::Box) return cube_type(mesh_.dimension, order_);
+    return order_ == 1 ? corners : raised_type(corners, false);
+  }
+
   /// The nodes of a leaf as a cell of the mesh.
-  std::vector<int> nodes_of_leaf(const TreeCell& leaf) {
-    std::vector<int> nodes(at(nodes_per_cell(type_)), -1);
-    for (int bits = 0; bits < 1 << mesh_.dimension; ++bits) nodes[at(corner_bits(bits))] = leaf.corners[at(bits)];
-    if (!is_quadratic(type_)) return nodes;
-    for (const CellMiddle& middle : cell_middles(mesh_.dimension))
-      if (int& node = nodes[at(middle.node)]; node < 0)
-        node = tree_.middle(leaf, nodes[at(middle.low)], nodes[at(middle.high)], middle.place);
+  std::vector<int> nodes_of_leaf(const TreeCell& leaf, CellType type) {
+    std::vector<int> nodes(at(nodes_per_cell(type)), -1);
+    if (leaf.shape == TreeShape::Whole) {
+      const ElementBlock& old = before_.blocks[at(leaf.block)];
+      std::copy_n(&old.nodes[cell_entry(leaf.root, nodes_per_cell(old.type))], nodes.size(), nodes.begin());
+      return nodes;
+    }
+    const bool is_box = leaf.shape == TreeShape::Box;
+    for (int corner = 0; corner < leaf.count; ++corner)
+      nodes[at(is_box ? corner_bits(corner) : corner)] = leaf.corners[at(corner)];
+    if (!is_quadratic(type)) return nodes;
+    if (is_box) {
+      for (const CellMiddle& middle : cell_middles(mesh_.dimension))
+        if (int& node = nodes[at(middle.node)]; node < 0)
+          node = tree_.middle(leaf, nodes[at(middle.low)], nodes[at(middle.high)], place_in(leaf, middle.place));
+      return nodes;
+    }
+    const std::vector<NodeCorners>& between = cell_info(type).node_corners;
+    for (std::size_t a = at(leaf.count); a < nodes.size(); ++a)
+      nodes[a] = tree_.middle(leaf, nodes[at(between[a][0])], nodes[at(between[a][1])], leaf.middle_place(between[a]));
     return nodes;
+  }
+
+  /// The place of a point of a box with coordinates from 0 to 1 along its axes.
+  static RootPlace place_in(const TreeCell& box, const std::array<double, 3>& own) {
+    RootPlace place{};
+    for (std::size_t k = 0; k < 3; ++k) place[k] = box.lower[k] + own[k] * (box.upper[k] - box.lower[k]);
+    return place;
   }
 
   void add_cells() {
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       const ElementBlock& old = before_.blocks[b];
       ElementBlock block = old;
-      block.type = type_;
+      block.type = leaf_type(old);
       block.nodes.clear();
       block.file_numbers.clear();
       first_leaf_.emplace_back();
       for (int cell = 0; cell < old.cells(); ++cell) {
         first_leaf_.back().push_back(block.cells());
         tree_.for_each_leaf(static_cast<int>(b), cell, [&](const TreeCell& leaf) {
-          const std::vector<int> nodes = nodes_of_leaf(leaf);
+          const std::vector<int> nodes = nodes_of_leaf(leaf, block.type);
           block.nodes.insert(block.nodes.end(), nodes.begin(), nodes.end());
           if (!old.file_numbers.empty()) block.file_numbers.push_back(old.file_numbers[at(cell)]);
         });
@@ -74,24 +100,44 @@ class LeafMesh {
     }
   }
 
-  /// The axis across which a side of a cell lies, and its end.
-  std::pair<int, int> axis_of(int side) const {
-    const std::vector<int> corners = side_nodes(cube_type(mesh_.dimension), side);
-    for (int axis = 0;; ++axis) {
-      const int end = corner_bits(corners.front()) >> axis & 1;
-      if (std::all_of(corners.begin(), corners.end(), [&](int c) { return (corner_bits(c) >> axis & 1) == end; }))
-        return {axis, end};
+  /// The face of a cell of the mesh before on which a side lies, see TreeCell::faces().
+  int face_of(const TreeCell& leaf, CellType type, int side) const {
+    const std::vector<int> corners = side_nodes(corner_type(type), side);
+    const std::set<int> own(corners.begin(), corners.end());
+    for (int face = 0; face < leaf.faces(); ++face) {
+      std::set<int> of_face;
+      if (leaf.shape == TreeShape::Box) {
+        for (const int corner : leaf.corners_on(face)) of_face.insert(corner_bits(corner));
+      } else {
+        for (int corner = 0; corner < leaf.count; ++corner)
+          if (corner != face) of_face.insert(corner);
+      }
+      if (of_face == own) return face;
+    }
+    throw std::logic_error("a side of a cell has no face");
+  }
+  /// The side of a simplex with those corners.
+  static int side_with(CellType type, std::vector<int> corners) {
+    const CellInfo& info = cell_info(corner_type(type));
+    std::sort(corners.begin(), corners.end());
+    for (std::size_t side = 0;; ++side) {
+      std::vector<int> own = info.sides.at(side);
+      std::sort(own.begin(), own.end());
+      if (own == corners) return static_cast<int>(side);
     }
   }
 
   /// Calls visit(part) for the parts of a side of a cell of the mesh before.
   template <class Visit>
   void for_each_part(const Side& side, const Visit& visit) const {
-    const auto [axis, end] = axis_of(side.side);
+    const CellType type = before_.blocks[at(side.block)].type;
     int leaf_number = first_leaf_[at(side.block)][at(side.cell)];
-    tree_.for_each_leaf(side.block, side.cell, [&, a = at(axis), e = end](const TreeCell& leaf) {
-      if (e == 0 ? leaf.lower[a] == -1 : leaf.upper[a] == 1) visit(Side{side.block, leaf_number, side.side});
-      ++leaf_number;
+    tree_.for_each_leaf(side.block, side.cell, [&](const TreeCell& leaf) {
+      const Side part{side.block, leaf_number++, side.side};
+      if (leaf.shape == TreeShape::Whole) return visit(part);
+      const int face = face_of(leaf, type, side.side);
+      if (!leaf.touches(face)) return;
+      visit(leaf.shape == TreeShape::Box ? part : Side{part.block, part.cell, side_with(type, leaf.corners_on(face))});
     });
   }
 
@@ -134,12 +180,11 @@ class LeafMesh {
   const Mesh before_;
   int nodes_before_;
   int order_;
-  CellType type_;                             ///< of the cells
   std::vector<std::vector<int>> first_leaf_;  ///< by block and cell of the mesh before: its first leaf
 };
 
-/// Removes the nodes beside the corners of cells, which none has any more. Returns the trees with the new numbers.
-SplitTree without_middles(Mesh& mesh, const SplitTree& trees) {
+/// Removes the nodes that no cell has any more. Returns the trees with the new numbers.
+SplitTree without_unused(Mesh& mesh, const SplitTree& trees) {
   std::vector<int> number(at(mesh.nodes()), -1);
   const std::vector<std::string> notes = mesh.notes;
   const std::vector<int> before = drop_unused_nodes(mesh);
@@ -148,32 +193,44 @@ SplitTree without_middles(Mesh& mesh, const SplitTree& trees) {
   for (std::size_t node = 0; node < before.size(); ++node) number[at(before[node])] = static_cast<int>(node);
   std::vector<TreeCell> cells = trees.cells();
   for (TreeCell& cell : cells)
-    for (int bits = 0; bits < 1 << mesh.dimension; ++bits) cell.corners[at(bits)] = number[at(cell.corners[at(bits)])];
+    for (int corner = 0; corner < cell.count; ++corner) cell.corners[at(corner)] = number[at(cell.corners[at(corner)])];
   return trees.with(std::move(cells));
+}
+
+template <class Condition>
+bool has_cells(const Mesh& mesh, const Condition& condition) {
+  return std::any_of(mesh.blocks.begin(), mesh.blocks.end(),
+                     [&](const ElementBlock& block) { return block.cells() > 0 && condition(cell_info(block.type)); });
+}
+bool has_cells(const Mesh& mesh, TreeShape shape) {
+  return has_cells(mesh, [shape](const CellInfo& info) { return tree_shape(info.shape) == shape; });
 }
 
 void check(const Mesh& mesh) {
   if (mesh.plain_nodes >= 0) throw InputError("the mesh has enriched sides; refine it before it is enriched");
   if (!mesh.ties.empty()) throw InputError("the mesh has tied nodes already; refine it before they are tied");
-  for (const ElementBlock& block : mesh.blocks)
-    if (!is_cube(block.type) && block.cells() > 0)
-      throw InputError(
-          fmt::format("block \"{}\": only quadrilaterals and hexahedra are refined; give a mesh of {} cells its size "
-                      "where it is made",
-                      block.name, cell_info(block.type).name));
+  if (!has_cells(mesh, TreeShape::Box) && !has_cells(mesh, TreeShape::Simplex))
+    throw InputError(
+        "prisms and pyramids are not refined; give a mesh of them its size where it is made, or split them into "
+        "tetrahedra");
 }
 
 /// Makes the mesh of the leaves of a tree, which grow(tree) splits.
 template <class Growth>
 SplitTree grown(Mesh& mesh, int order, const Growth& grow) {
+  const bool curved = has_cells(mesh, [](const CellInfo& info) { return info.order == 2; });
+  const bool bubbles = has_cells(mesh, [](const CellInfo& info) { return info.bubbles; });
+  if (order == 2 && has_cells(mesh, TreeShape::Whole)) {
+    raise_order(mesh);
+    mesh.linear_nodes = -1;
+  }
   const int nodes_before = mesh.nodes();
-  const bool curved = std::any_of(mesh.blocks.begin(), mesh.blocks.end(),
-                                  [](const ElementBlock& block) { return is_quadratic(block.type); });
   CellTree tree(mesh);
   grow(tree);
   LeafMesh(mesh, tree, nodes_before, order).make();
   SplitTree trees = tree.trees();
-  if (curved && order == 1) trees = without_middles(mesh, trees);
+  if (curved && (order == 1 || bubbles)) trees = without_unused(mesh, trees);
+  if (bubbles && order == 2) add_bubbles(mesh);
   place_tied_nodes(mesh);
   return trees;
 }
@@ -206,6 +263,9 @@ SplitTree refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order)
       throw InputError(region.name + ": " + error.what());
     }
   }
+  for (std::size_t r = 0; r < searches.size(); ++r)
+    if (!searches[r].splits_all() && has_cells(mesh, TreeShape::Simplex))
+      throw InputError(names[r] + ": triangles and tetrahedra have no axes; leave Directions out");
   for (std::size_t r = 0; r < searches.size(); ++r) refuse_far_too_many(mesh, searches[r], names[r]);
   return grown(mesh, order, [&](CellTree& tree) { tree.split(searches, names, most_refined_cells); });
 }

@@ -20,17 +20,22 @@ struct NamedRegion {
 /// The most cells that refine() makes.
 constexpr long long most_refined_cells = 10'000'000;
 
-/// Splits cells of a mesh of quadrilaterals or hexahedra, all linear or all quadratic, until those in the regions have
-/// the halvings that the regions ask for. Neighbours differ by one halving at most: their edges have at most one corner
-/// of others, in the middle. A cell that is split for that reason alone is halved in all directions if all regions are.
-/// The nodes of finer cells on edges and faces of coarser ones hang there: they get a Tie, which makes displacements
-/// continuous. Side sets have the parts of their sides. A node set that has the nodes of the side set of its name keeps
-/// having them; another one gets the new nodes in the middle of two nodes of the set.
+/// Splits cells of a mesh, all linear or all quadratic, until those in the regions have the halvings that the regions
+/// ask for. Prisms and pyramids stay as they are, and so do cells beside them.
+///
+/// Quadrilaterals and hexahedra are halved along their axes. Neighbours differ by one halving at most: their edges have
+/// at most one corner of others, in the middle. A cell that is split for that reason alone is halved in all directions
+/// if all regions are. The nodes of finer cells on edges and faces of coarser ones hang there: they get a Tie, which
+/// makes displacements continuous. Triangles and tetrahedra are bisected, D times for a halving of all edges, see
+/// MarkedEdges; their neighbours are bisected until none has a node of others, so that nothing hangs.
+///
+/// Side sets have the parts of their sides. A node set that has the nodes of the side set of its name keeps having
+/// them; another one gets the new nodes in the middle of two nodes of the set.
 ///
 /// `order`: that of the cells. 1 of a quadratic mesh leaves its corners: it gives the curved places of the new ones.
 /// Returns the trees of the cells, whose leaves are those of the mesh. Throws InputError, with the name, if a region is
-/// none of the mesh or meets no cell, and if the mesh is enriched, has ties, or would have more than
-/// most_refined_cells.
+/// none of the mesh, meets no cell, or has directions where there are simplices, and if the mesh is enriched, has ties,
+/// has only prisms and pyramids, or would have more than most_refined_cells.
 SplitTree refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order);
 
 /// Does the same for the splits of another mesh that was made of the same cells. The numbers of the new nodes depend on

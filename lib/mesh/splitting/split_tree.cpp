@@ -13,9 +13,9 @@ int SplitTree::around(const TreeCell& other) const {
   int k = root(other.block, other.root);
   while (!is_leaf(k)) {
     const int child = cell(k).first_child;
-    if (cell(child).contains(other.lower, other.upper))
+    if (cell(child).contains(other))
       k = child;
-    else if (cell(child + 1).contains(other.lower, other.upper))
+    else if (cell(child + 1).contains(other))
       k = child + 1;
     else
       break;
@@ -26,17 +26,32 @@ int SplitTree::around(const TreeCell& other) const {
 int SplitTree::leaf_at(const RootPoint& point) const {
   int k = root(point.block, point.root);
   while (!is_leaf(k)) {
-    const auto axis = static_cast<std::size_t>(axis_of(k));
     const int child = cell(k).first_child;
-    k = point.at[axis] <= cell(child).upper[axis] ? child : child + 1;
+    k = cell(child).depth(point.at) >= cell(child + 1).depth(point.at) ? child : child + 1;
   }
   return k;
+}
+
+std::vector<int> SplitTree::leaves_at(const RootPoint& point, double slack) const {
+  std::vector<int> open{root(point.block, point.root)}, found;
+  while (!open.empty()) {
+    const int k = open.back();
+    open.pop_back();
+    if (cell(k).depth(point.at) < -slack) continue;
+    if (is_leaf(k)) {
+      found.push_back(k);
+    } else {
+      open.push_back(cell(k).first_child + 1);
+      open.push_back(cell(k).first_child);
+    }
+  }
+  return found;
 }
 
 CellSplits SplitTree::splits() const {
   CellSplits splits;
   for (std::size_t k = 0; k < cells_.size(); ++k)
-    if (cells_[k].first_child >= 0) splits.add(cells_[k], axis_of(static_cast<int>(k)));
+    if (cells_[k].is_split()) splits.add(cells_[k], axis_of(static_cast<int>(k)));
   return splits;
 }
 

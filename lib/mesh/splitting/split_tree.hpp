@@ -10,11 +10,10 @@
 
 namespace ixos {
 
-/// A point of a cell that may be split: the cell's block and number, and coordinates from -1 to 1 along its axes; the
-/// third is 0 in the plane.
+/// A point of a cell that may be split: the cell's block and number, and the place there.
 struct RootPoint {
   int block = 0, root = 0;
-  std::array<double, 3> at{};
+  RootPlace at{};
 };
 
 /// A value: the trees of all cells of a mesh, which outlive it. Corners are nodes of the mesh of the leaves.
@@ -28,15 +27,17 @@ class SplitTree {
   int dimension() const { return dimension_; }
   const std::vector<TreeCell>& cells() const { return cells_; }
   const TreeCell& cell(int k) const { return cells_[static_cast<std::size_t>(k)]; }
-  bool is_leaf(int k) const { return cell(k).first_child < 0; }
+  bool is_leaf(int k) const { return !cell(k).is_split(); }
   int root(int block, int cell) const { return first_root_[static_cast<std::size_t>(block)] + cell; }
 
-  /// Returns the axis along which a cell that is no leaf is bisected.
+  /// Returns the axis along which a cell that is no leaf is bisected; 0 for simplices.
   int axis_of(int k) const;
   /// Returns the smallest cell of this tree that contains a cell of another tree of the same whole cells.
   int around(const TreeCell& other) const;
   /// Returns a leaf that contains a point; on a border of several one of them.
   int leaf_at(const RootPoint& point) const;
+  /// Returns all leaves that contain a point, or end within `slack` of it.
+  std::vector<int> leaves_at(const RootPoint& point, double slack) const;
   CellSplits splits() const;
   /// Returns the same trees with other numbers of corners.
   SplitTree with(std::vector<TreeCell> cells) const { return {dimension_, std::move(cells), first_root_}; }

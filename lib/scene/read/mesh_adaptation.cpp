@@ -4,9 +4,11 @@
 
 #include "adapt/front.hpp"
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "interaction/gap_law.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/splitting/tree_cell.hpp"
 #include "parameters/one_of.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
@@ -23,7 +25,7 @@ const Options<AdaptOptions>& options() {
           .add("Levels", &AdaptOptions::levels,
                "Number of times that the edge of a cell may be halved, those of Refine included. With 0, the mesh "
                "stays.",
-               between(0, 12))
+               between(0, most_adapt_levels))
           .add("Part", &AdaptOptions::part,
                "Largest change of the traction over a face, as part of the law's strength: a face is at most this part "
                "of the local cohesive zone. Larger ones are halved [-].",
@@ -102,6 +104,10 @@ void check_adaptation(const AdaptOptions& options, const std::vector<SceneIntera
   if (!options.on()) return;
   if (mesh.dimension == 2 && options.directions.find('z') != std::string::npos)
     throw InputError("Mesh/Adapt/Directions: \"z\" is no axis of a mesh of two dimensions; \"x\" and \"y\" are");
+  for (const ElementBlock& block : mesh.blocks)
+    if (block.cells() > 0 && tree_shape(cell_info(block.type).shape) == TreeShape::Simplex &&
+        !options.directions.empty())
+      throw InputError("Mesh/Adapt/Directions: triangles and tetrahedra have no axes; choose \"all\"");
   if (mesh.dimension == 2) return;  // the ends of sides are corners of their neighbours, whatever their sizes
   for (const SceneInteraction& interaction : interactions)
     if (interaction.is_pair() && interaction.smoothing != Smoothing::None && has_linear_sides(mesh, interaction))

@@ -74,6 +74,52 @@ class Sequence {
   int without_progress_ = 0;
 };
 
+/// Judges the mesh of the last run, which keeps the accuracy by its steps, by runs with finer ones.
+void judge_mesh(const AccuracyQuestion& question, AccuracySettings settings, const CarryOut& carry_out,
+                AccuracyResult& result) {
+  const std::vector<AchievedAccuracy> by_steps = result.achieved;
+  double least_change = std::numeric_limits<double>::infinity();
+  int without_progress = 0;
+  result.status = AccuracyStatus::Missed;
+  for (int finer = 0; result.limit.empty(); ++finer) {
+    if (finer == tuning::most_finer_meshes || !has_finer_mesh(settings)) {
+      result.limit = fmt::format("the mesh, with Mesh/Adapt/Levels = {} and Part = {:.3g}", settings.mesh.levels,
+                                 settings.mesh.part);
+      return;
+    }
+    settings = with_finer_mesh(settings);
+    const std::vector<double> before = result.runs.back().values;
+    const AccuracyRun run = carry_out(settings);
+    result.runs.push_back(run);
+    if (run.outcome == AccuracyOutcome::Interrupted) {
+      result.status = AccuracyStatus::Interrupted;
+      return;
+    }
+    if (run.outcome != AccuracyOutcome::Good) {
+      result.limit = "the run on a finer mesh: " + run.problem;
+      return;
+    }
+    double change = 0;
+    for (std::size_t q = 0; q < result.achieved.size(); ++q) {
+      AchievedAccuracy& own = result.achieved[q];
+      own.value = run.values[q];
+      const bool is_error = question.quantities[q].is_error();
+      own.mesh_error = is_error ? 0 : relative(std::abs(own.value - before[q]), own.value);
+      own.error = (is_error ? std::abs(own.value) : by_steps[q].error) + own.mesh_error;
+      change = std::max(change, own.mesh_error);
+    }
+    if (largest_error(result.achieved) <= question.accuracy) {
+      result.status = AccuracyStatus::Kept;
+      return;
+    }
+    without_progress = change < tuning::progress * least_change ? 0 : without_progress + 1;
+    least_change = std::min(least_change, change);
+    if (without_progress == tuning::most_without_progress)
+      result.limit =
+          "finer meshes no longer reduce the error: cells that Mesh/Adapt leaves as they are may be too coarse";
+  }
+}
+
 }  // namespace
 
 std::vector<AchievedAccuracy> achieved_accuracy(const AccuracyQuestion& question,
@@ -118,6 +164,7 @@ AccuracyResult run_to_accuracy(const AccuracyQuestion& question, const AccuracyS
         if (largest_error(result.achieved) <= question.accuracy) {
           result.limit.clear();
           result.status = AccuracyStatus::Kept;
+          if (run.settings.mesh.levels > 0) judge_mesh(question, run.settings, carry_out, result);
           return result;
         }
       }

@@ -33,8 +33,9 @@ struct AccuracyRun {
 /// The last good run's error of a quantity.
 struct AchievedAccuracy {
   double value = 0;
-  double error = 0;    ///< relative to the exact value as the runs tell it; infinite if that may be 0
-  std::string reason;  ///< how the error is known, see SequenceErrors::reason
+  double error = 0;       ///< relative to the exact value as the runs tell it; infinite if that may be 0
+  double mesh_error = 0;  ///< the part of it that is the mesh's, if the mesh follows the front
+  std::string reason;     ///< how the error is known, see SequenceErrors::reason
 };
 
 /// Kept: all quantities are within the accuracy in the last run. Missed: they are not. NoRun: no run gave values, or
@@ -55,6 +56,10 @@ using CarryOut = std::function<AccuracyRun(const AccuracySettings&)>;
 /// are the mean steps. A run that took hardly more steps than the one before, because something else bounds them, takes
 /// its place, and the next run's longest step is half of its mean one. Ends with the first run that keeps the accuracy,
 /// if refinement no longer reduces the errors, if runs fail, or after ten runs.
+///
+/// A mesh that follows the front is judged after the steps: runs with the same steps and finer meshes, up to four of
+/// them, until the error by the steps and the last change of the value by the mesh together are within the accuracy.
+/// That change bounds the error of the finer mesh if errors at least halve with the size of the cells.
 AccuracyResult run_to_accuracy(const AccuracyQuestion& question, const AccuracySettings& first,
                                const CarryOut& carry_out);
 

@@ -19,8 +19,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* const covered = "time steps and the tolerance of Newton's method, not the mesh";
-const std::vector<std::string> not_covered{"mesh", "surface points", "cutoffs"};
+/// What an answer judges.
+struct Scope {
+  std::string covered;
+  std::vector<std::string> not_covered;
+};
+Scope scope_of(const AccuracyResult& result) {
+  const bool with_mesh = !result.runs.empty() && result.runs.back().settings.mesh.levels > 0;
+  if (with_mesh)
+    return {"time steps, the tolerance of Newton's method and the mesh at the front",
+            {"coarse cells", "surface points", "cutoffs"}};
+  return {"time steps and the tolerance of Newton's method, not the mesh", {"mesh", "surface points", "cutoffs"}};
+}
 
 std::string percent(double part) {
   return std::isfinite(part) ? fmt::format("{:.2g} %", 100 * part) : "unknown, as the value may be 0";
@@ -41,6 +51,8 @@ Json to_json(const AccuracyRun& run) {
             {"steps", run.steps},
             {"seconds", run.seconds},
             {"values", run.values}};
+  if (const MeshSettings& mesh = run.settings.mesh; mesh.levels > 0)
+    json["mesh"] = {{"levels", mesh.levels}, {"part", mesh.part}, {"strain", mesh.strain}};
   if (!run.problem.empty()) json["problem"] = run.problem;
   return json;
 }
@@ -50,6 +62,8 @@ Json to_json(const AccuracyRun& run) {
 std::string run_text(const AccuracyQuestion& question, const AccuracyRun& run, std::size_t number) {
   std::string text = fmt::format("Run {}: local error {:.2g} L0", number, run.settings.tolerance);
   if (run.settings.gap_ratio > 0) text += fmt::format(", gap ratio {:.4g}", run.settings.gap_ratio);
+  if (run.settings.mesh.levels > 0)
+    text += fmt::format(", {} levels, part {:.3g}", run.settings.mesh.levels, run.settings.mesh.part);
   text += fmt::format(": {} steps, {:.2g} s", run.steps, run.seconds);
   if (!run.problem.empty()) text += ": " + run.problem;
   for (std::size_t q = 0; q < run.values.size(); ++q)
@@ -60,9 +74,12 @@ std::string run_text(const AccuracyQuestion& question, const AccuracyRun& run, s
 std::string accuracy_text(const AccuracyQuestion& question, const AccuracyResult& result) {
   if (result.status == AccuracyStatus::Interrupted) return "";
   std::string text;
+  const Scope scope = scope_of(result);
+  const bool with_mesh = result.runs.back().settings.mesh.levels > 0;
   if (result.status == AccuracyStatus::Kept)
-    text = fmt::format("The accuracy {} is kept by the time steps; the {} were not examined:\n",
-                       percent(question.accuracy), fmt::join(not_covered, ", "));
+    text = fmt::format("The accuracy {} is kept by the time steps{}; the {} were not examined:\n",
+                       percent(question.accuracy), with_mesh ? " and the mesh at the front" : "",
+                       fmt::join(scope.not_covered, ", "));
   else if (result.achieved.empty())
     return fmt::format("The accuracy {} cannot be judged: {}.\n", percent(question.accuracy), result.limit);
   else
@@ -74,13 +91,14 @@ std::string accuracy_text(const AccuracyQuestion& question, const AccuracyResult
   for (const AccuracyRun& run : result.runs) seconds += run.seconds;
   for (std::size_t q = 0; q < result.achieved.size(); ++q) {
     const AchievedAccuracy& own = result.achieved[q];
-    text += fmt::format("  {} = {:.7g}, estimated error {} ({})\n", question.quantities[q].text(), own.value,
-                        percent(own.error), own.reason);
+    text += fmt::format("  {} = {:.7g}, estimated error {} ({}{})\n", question.quantities[q].text(), own.value,
+                        percent(own.error), own.reason,
+                        with_mesh ? fmt::format("; of it {} by the mesh", percent(own.mesh_error)) : "");
   }
   return text + fmt::format(
-                    "  The estimate covers {}; for the mesh, use ixos-study --advise.\n"
+                    "  The estimate covers {}; for the {}, use ixos-study --advise.\n"
                     "  {} runs took {:.2g} s, the last one {:.2g} s.\n",
-                    covered, result.runs.size(), seconds, result.runs.back().seconds);
+                    scope.covered, scope.not_covered.front(), result.runs.size(), seconds, result.runs.back().seconds);
 }
 
 void add_accuracy(const AccuracyQuestion& question, const AccuracyResult& result, const std::string& folder) {
@@ -88,14 +106,16 @@ void add_accuracy(const AccuracyQuestion& question, const AccuracyResult& result
   json["asked"] = question.accuracy;
   json["kept"] = result.status == AccuracyStatus::Kept;
   json["limit"] = result.limit;
-  json["covers"] = covered;
-  json["not_examined"] = not_covered;
+  const Scope scope = scope_of(result);
+  json["covers"] = scope.covered;
+  json["not_examined"] = scope.not_covered;
   json["quantities"] = Json::array();
   for (std::size_t q = 0; q < result.achieved.size(); ++q) {
     const AchievedAccuracy& own = result.achieved[q];
     json["quantities"].push_back({{"quantity", question.quantities[q].text()},
                                   {"value", own.value},
                                   {"error", own.error},  // an unknown one, which is infinite, is written as null
+                                  {"error_by_mesh", own.mesh_error},
                                   {"kept", own.error <= question.accuracy},
                                   {"known_by", own.reason}});
   }
@@ -115,6 +135,9 @@ bool holds_accuracy(const std::string& folder, const Teuchos::ParameterList& sce
       Teuchos::ParameterList& control = list->sublist("Time Integrator").sublist("Time Step Control");
       control.set<std::string>("Type", "Fixed");
       control.remove("Adaptive", false);
+      if (list->isSublist("Mesh") && list->sublist("Mesh").isSublist("Adapt"))
+        for (const char* name : {"Levels", "Part", "Strain"})
+          list->sublist("Mesh").sublist("Adapt").remove(name, false);
     }
     return changes_of_problem(found, now).empty();
   } catch (const InputError&) {

@@ -50,12 +50,14 @@ AccuracySettings first_settings(const Simulation& simulation, double accuracy) {
   coarse.longest_step =
       std::min(control.maximum_step, (control.final_time - control.initial_time) / tuning::coarse_steps);
   coarse.newton_tolerance = tuning::coarse_newton;
+  const AdaptOptions& mesh = simulation.adaptation();
+  if (mesh.on()) coarse.mesh = {mesh.levels, mesh.part, mesh.strain};
   return refined(coarse, std::min(1.0, std::sqrt(accuracy / tuning::coarse_accuracy)));
 }
 
 AccuracySettings refined(const AccuracySettings& settings, double part) {
   const double cube = part * part * part;
-  AccuracySettings finer;
+  AccuracySettings finer = settings;
   finer.tolerance = settings.tolerance * cube;
   finer.gap_ratio = settings.gap_ratio > 0 ? std::pow(settings.gap_ratio, part) : 0;
   finer.longest_step = settings.longest_step * part;
@@ -63,12 +65,30 @@ AccuracySettings refined(const AccuracySettings& settings, double part) {
   return finer;
 }
 
+bool has_finer_mesh(const AccuracySettings& settings) {
+  return settings.mesh.levels > 0 && settings.mesh.levels < most_adapt_levels;
+}
+
+AccuracySettings with_finer_mesh(const AccuracySettings& settings) {
+  AccuracySettings finer = settings;
+  ++finer.mesh.levels;
+  finer.mesh.part /= 2;
+  finer.mesh.strain /= 2;
+  return finer;
+}
+
 Assignments assignments(const AccuracySettings& settings) {
   const std::string control = "Time Integrator/Time Step Control/", adaptive = control + "Adaptive/";
-  return {control + "Type=Adaptive", fmt::format("{}Tolerance={:.6g}", adaptive, settings.tolerance),
-          fmt::format("{}Maximum Gap Ratio={:.9g}", adaptive, settings.gap_ratio),
-          fmt::format("{}Maximum Time Step={:.6g}", adaptive, settings.longest_step),
-          fmt::format("Nonlinear Solver/Tolerance={:.3g}", settings.newton_tolerance)};
+  Assignments all{control + "Type=Adaptive", fmt::format("{}Tolerance={:.6g}", adaptive, settings.tolerance),
+                  fmt::format("{}Maximum Gap Ratio={:.9g}", adaptive, settings.gap_ratio),
+                  fmt::format("{}Maximum Time Step={:.6g}", adaptive, settings.longest_step),
+                  fmt::format("Nonlinear Solver/Tolerance={:.3g}", settings.newton_tolerance)};
+  if (settings.mesh.levels > 0) {
+    all.push_back(fmt::format("Mesh/Adapt/Levels={}", settings.mesh.levels));
+    all.push_back(fmt::format("Mesh/Adapt/Part={:.6g}", settings.mesh.part));
+    all.push_back(fmt::format("Mesh/Adapt/Strain={:.6g}", settings.mesh.strain));
+  }
+  return all;
 }
 
 }  // namespace ixos

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "adapt/options.hpp"
 #include "io/drawing.hpp"
 #include "io/gmsh_mesh.hpp"
 #include "parameters/parameter_entries.hpp"
@@ -103,9 +104,31 @@ AdviceLevel level(const std::vector<CellCount>& counts, int k) {
   return result;
 }
 
-}  // namespace
+/// Adds to levels of a mesh that follows the front that the bounds of its faces and of its strain go with the cells. A
+/// mesh without coarser and finer cells of its own gets levels that have more halvings.
+void add_bounds(const List& adapt, MeshLevels& meshes) {
+  const int halvings = adapt.get<int>("Levels");
+  if (halvings == 0) return;
+  const auto bounds = [&](double size) {
+    return Assignments{fmt::format("Mesh/Adapt/Part={:.6g}", std::min(1.0, adapt.get<double>("Part") * size)),
+                       fmt::format("Mesh/Adapt/Strain={:.6g}", adapt.get<double>("Strain") * size)};
+  };
+  if (meshes.levels.size() == 1) {
+    meshes.note.clear();
+    meshes.levels.clear();
+    meshes.scene_level = static_cast<std::size_t>(std::min(tuning::coarser_meshes, halvings - 1));
+    for (int k = -static_cast<int>(meshes.scene_level); k <= tuning::finer_meshes; ++k) {
+      if (halvings + k > most_adapt_levels) break;
+      meshes.levels.push_back({fmt::format("{} halvings", halvings + k),
+                               std::pow(2.0, -k),
+                               {fmt::format("Mesh/Adapt/Levels={}", halvings + k)}});
+    }
+  }
+  for (AdviceLevel& level : meshes.levels)
+    for (const std::string& bound : bounds(level.size)) level.settings.push_back(bound);
+}
 
-MeshLevels mesh_levels(const List& mesh) {
+MeshLevels levels_of_cells(const List& mesh) {
   if (const std::string path = size_factor(mesh); !path.empty()) return drawing_levels(mesh, path);
   MeshLevels result;
   std::vector<CellCount> counts;
@@ -122,6 +145,14 @@ MeshLevels mesh_levels(const List& mesh) {
     result.levels.push_back(next);
   }
   result.scene_level = static_cast<std::size_t>(-coarsest);
+  return result;
+}
+
+}  // namespace
+
+MeshLevels mesh_levels(const List& mesh) {
+  MeshLevels result = levels_of_cells(mesh);
+  add_bounds(mesh.sublist("Adapt"), result);
   return result;
 }
 

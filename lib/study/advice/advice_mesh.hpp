@@ -17,7 +17,8 @@ struct MeshLevels {
 };
 
 /// Returns the meshes that the generator of a complete scene's list "Mesh" can make, with cells of half and of twice
-/// the length. Parts are refined together.
+/// the length. Parts are refined together. If the mesh follows the front, its bounds go with the cells; one without a
+/// parameter that refines it has levels with more and fewer halvings.
 MeshLevels mesh_levels(const Teuchos::ParameterList& mesh);
 
 }  // namespace ixos

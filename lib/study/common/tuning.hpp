@@ -30,6 +30,7 @@ inline constexpr double coarse_newton = 1e-6;
 inline constexpr double least_newton = 1e-11;  ///< the default of a scene: all that remains is rounding
 inline constexpr std::size_t least_runs = 3;   ///< two may agree by coincidence
 inline constexpr std::size_t most_runs = 10;
+inline constexpr int most_finer_meshes = 4;
 inline constexpr int most_failed_runs = 3;
 inline constexpr double refinement = 1.25;  ///< least ratio of the mean steps of runs that count as different
 inline constexpr double progress = 0.7;     ///< largest ratio of changes that counts as an improvement

@@ -65,6 +65,45 @@ TEST(AccuracyTest, EachRunHalvesTheSteps) {
   }
 }
 
+/// An error of second order in the steps, and one of order `order` in the faces of a mesh that follows the front.
+AccuracyResult on_following_mesh(double accuracy, double size, double order) {
+  AccuracySettings first = coarse();
+  first.mesh = {2, 0.25, 0.1};
+  return run_to_accuracy(question(accuracy), first, [=](const AccuracySettings& settings) {
+    const double h = settings.longest_step;
+    return run(settings, {2 + 3 * h * h + size * std::pow(settings.mesh.part, order)});
+  });
+}
+
+TEST(AccuracyTest, AMeshThatFollowsTheFrontIsJudgedAfterTheSteps) {
+  for (const double order : {1.0, 2.0}) {
+    const double size = 0.4;
+    const AccuracyResult result = on_following_mesh(1e-2, size, order);
+    ASSERT_EQ(result.status, AccuracyStatus::Kept) << result.limit;
+    const AccuracyRun& last = result.runs.back();
+    EXPECT_GT(last.settings.mesh.levels, 2);
+    EXPECT_EQ(last.settings.mesh.part, std::ldexp(0.25, 2 - last.settings.mesh.levels));
+    EXPECT_EQ(last.settings.mesh.strain, std::ldexp(0.1, 2 - last.settings.mesh.levels));
+    EXPECT_EQ(last.settings.longest_step, result.runs[result.runs.size() - 2].settings.longest_step);
+    const AchievedAccuracy& achieved = result.achieved.front();
+    EXPECT_EQ(achieved.value, last.values.front());
+    EXPECT_LE(std::abs(achieved.value - 2) / 2, achieved.error + 1e-12);
+    EXPECT_GE(achieved.mesh_error, size * std::pow(last.settings.mesh.part, order) / achieved.value * (1 - 1e-12));
+    EXPECT_LE(achieved.error, 1e-2);
+  }
+}
+
+TEST(AccuracyTest, AMeshThatIsNeverFineEnoughIsTheLimit) {
+  const AccuracyResult slow = on_following_mesh(1e-3, 1, 1);
+  EXPECT_EQ(slow.status, AccuracyStatus::Missed);
+  EXPECT_EQ(slow.limit, "the mesh, with Mesh/Adapt/Levels = 6 and Part = 0.0156");
+  const AccuracyResult rough = on_following_mesh(1e-3, 0.1, 0.1);
+  EXPECT_EQ(rough.status, AccuracyStatus::Missed);
+  EXPECT_EQ(rough.limit,
+            "finer meshes no longer reduce the error: cells that Mesh/Adapt leaves as they are may be too coarse");
+  EXPECT_EQ(on_following_mesh(1e-2, 0, 1).status, AccuracyStatus::Kept) << "one finer mesh tells";
+}
+
 TEST(AccuracyTest, EveryQuantityCounts) {
   const auto both = [](const AccuracySettings& settings) {
     const double h = settings.longest_step;

@@ -26,6 +26,28 @@ TEST(AdviceMeshTest, ABoxIsHalvedAndRefined) {
   EXPECT_EQ(found.levels[4].label, "640 x 32");
 }
 
+TEST(AdviceMeshTest, BoundsOfAMeshThatFollowsTheFrontGoWithTheCells) {
+  const MeshLevels found = levels("strip-front.xml", {"Mesh/Adapt/Part=0.125", "Mesh/Adapt/Strain=0.02"});
+  const AdviceLevel &own = found.levels[found.scene_level], &finer = found.levels[found.scene_level + 1];
+  ASSERT_EQ(own.settings.size(), 3U);
+  EXPECT_EQ(own.settings[1], "Mesh/Adapt/Part=0.125");
+  ASSERT_EQ(finer.settings.size(), 3U);
+  EXPECT_NE(finer.settings[0], own.settings[0]);
+  EXPECT_EQ(finer.settings[1], "Mesh/Adapt/Part=0.0625");
+  EXPECT_EQ(finer.settings[2], "Mesh/Adapt/Strain=0.01");
+}
+
+TEST(AdviceMeshTest, AMeshThatOnlyTheFrontRefinesHasLevelsOfHalvings) {
+  const MeshLevels found = levels("spatula.xml", {"Mesh/Spatula/Stations=40", "Mesh/Adapt/Levels=2"});
+  EXPECT_EQ(found.note, "");
+  EXPECT_EQ(found.scene_level, 1U);
+  ASSERT_EQ(found.levels.size(), 5U);
+  EXPECT_EQ(found.levels[0].settings[0], "Mesh/Adapt/Levels=1");
+  EXPECT_EQ(found.levels[0].settings[1], "Mesh/Adapt/Part=0.5");
+  EXPECT_EQ(found.levels[2].settings[0], "Mesh/Adapt/Levels=3");
+  EXPECT_EQ(found.levels[2].size, 0.5);
+}
+
 TEST(AdviceMeshTest, OddNumbersAreNotHalved) {
   const MeshLevels found = levels("strip.xml", {"Mesh/Box/Divisions={50, 3}"});
   EXPECT_EQ(found.scene_level, 0U);
