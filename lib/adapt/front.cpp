@@ -53,7 +53,7 @@ void Front::add(const Side& side) {
   const std::vector<int> nodes = nodes_of_side(mesh_.mesh(), side);
   const TreeCell& leaf = tree.cell(mesh_.leaf_of({side.block, side.cell}));
   const int face = mesh_.face_of({side.block, side.cell}, side.side);
-  if (face < 0 || !leaf.touches(face)) return;
+  if (face >= leaf.faces() || !leaf.touches(face)) return;
   for (int k = tree.root(leaf.block, leaf.root);;) {
     Range& range = ranges_[{k, face}];
     for (const int node : nodes) range.add(gaps_[at(node)]);

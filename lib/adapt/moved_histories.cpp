@@ -125,7 +125,7 @@ class Past {
         if (around.empty()) continue;
         PointSource source{row, q, {}, {}};
         for (const Found& found : around)
-          for (const auto& [number, weight] : shares_of(found, point))
+          for (const auto& [number, weight] : shares_of(found, face, point))
             source.shares.push_back({found.second, number, weight / static_cast<double>(around.size())});
         if (surface != nullptr) {
           source.normal = normal_at(mesh, *surface, point);
@@ -153,7 +153,7 @@ class Past {
     }
     return rows;
   }
-  std::vector<ShareOfPoint> shares_of(const Found& found, const RootPoint& point) const {
+  std::vector<ShareOfPoint> shares_of(const Found& found, int face, const RootPoint& point) const {
     std::vector<RootPlace>& points = points_[found];
     if (points.empty())
       for (const auto& place : all_[found.first].places)
@@ -161,7 +161,7 @@ class Past {
     const SplitTree& tree = mesh_.tree();
     return tree.cell(tree.root(point.block, point.root)).shape == TreeShape::Box
                ? shares_in_grid(points, point.at)
-               : shares_in_simplex(points, tree.dimension(), point.at);
+               : shares_in_simplex(points, tree.dimension(), tree.dimension() - (face < 0 ? 0 : 1), point.at);
   }
   static std::array<double, 3> normal_at(const SplitMesh& mesh, const SlidingSurface& surface, const RootPoint& point) {
     std::array<double, 3> normal{};

@@ -4,8 +4,9 @@
 
 namespace ixos {
 
-/// The most levels that a scene may ask for.
+/// The most levels, and the least part, that a scene may ask for.
 constexpr int most_adapt_levels = 12;
+constexpr double least_adapt_part = 1e-3;
 
 /// The settings of a scene's list "Mesh/Adapt".
 struct AdaptOptions {

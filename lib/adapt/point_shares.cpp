@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "base/small_matrix.hpp"
 
@@ -134,6 +136,25 @@ void for_each_subset(std::size_t points, std::size_t size, const Visit& visit) {
   }
 }
 
+/// Returns the points that are near a place, and those with the largest and the least share of each corner, around it:
+/// the subsets of all points may be too many.
+std::vector<std::size_t> near_and_outermost(const std::vector<Place>& places,
+                                            std::vector<std::pair<double, std::size_t>> by_distance,
+                                            std::size_t corners) {
+  constexpr std::size_t few = 16, near = 8;
+  std::set<std::size_t> chosen;
+  std::sort(by_distance.begin(), by_distance.end());
+  for (const auto& [distance, q] : by_distance)
+    if (places.size() <= few || chosen.size() < near || distance <= (1 + 1e-9) * by_distance[near - 1].first)
+      chosen.insert(q);
+  for (std::size_t corner = 0; corner < corners; ++corner) {
+    const auto less = [corner](const Place& a, const Place& b) { return a[corner] < b[corner]; };
+    const auto [least, most] = std::minmax_element(places.begin(), places.end(), less);
+    for (const auto& outermost : {least, most}) chosen.insert(static_cast<std::size_t>(outermost - places.begin()));
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
 }  // namespace
 
 std::vector<ShareOfPoint> shares_in_grid(const std::vector<RootPlace>& grid, const RootPlace& at) {
@@ -168,24 +189,29 @@ std::vector<ShareOfPoint> shares_in_grid(const std::vector<RootPlace>& grid, con
   return shares;
 }
 
-std::vector<ShareOfPoint> shares_in_simplex(const std::vector<RootPlace>& points, int dimension, const RootPlace& at) {
-  for (std::size_t q = 0; q < points.size(); ++q) {
-    double largest = 0;
-    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(points[q][i] - at[i]));
-    if (largest <= same_place) return {{q, 1}};
-  }
+std::vector<ShareOfPoint> shares_in_simplex(const std::vector<RootPlace>& points, int dimension, int along,
+                                            const RootPlace& at) {
+  std::vector<std::pair<double, std::size_t>> by_distance;
   std::vector<Place> places;
-  for (const RootPlace& point : points) places.push_back(barycentric(point, dimension));
   const Place place = barycentric(at, dimension);
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    places.push_back(barycentric(points[q], dimension));
+    const Place way = difference(places.back(), place);
+    by_distance.emplace_back(product(way, way), q);
+    if (by_distance.back().first <= same_place * same_place) return {{q, 1}};
+  }
+  const std::vector<std::size_t> chosen = near_and_outermost(places, std::move(by_distance), index(dimension) + 1);
   Best best;
   const auto offer_all = [&](std::size_t size) {
-    for_each_subset(points.size(), size, [&](const std::vector<std::size_t>& corners) {
+    std::vector<std::size_t> corners(size);
+    for_each_subset(chosen.size(), size, [&](const std::vector<std::size_t>& subset) {
+      for (std::size_t k = 0; k < size; ++k) corners[k] = chosen[subset[k]];
       if (auto found = nearest_in(places, corners, place)) best.offer(std::move(*found));
     });
   };
-  offer_all(index(dimension) + 1);
+  offer_all(index(along) + 1);
   if (best.none())
-    for (std::size_t size = index(dimension); size > 0; --size) offer_all(size);
+    for (std::size_t size = index(along); size > 0; --size) offer_all(size);
   return best.mean(points.size());
 }
 

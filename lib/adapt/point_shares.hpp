@@ -20,8 +20,9 @@ constexpr double same_place = 1e-10;
 std::vector<ShareOfPoint> shares_in_grid(const std::vector<RootPlace>& grid, const RootPlace& at);
 
 /// Returns the shares of points of a triangle or a tetrahedron, or of one of its faces: linear in the smallest simplex
-/// of them that contains the place, or if none does, the point of all these that is closest to it; the mean if several
-/// are as small. `dimension`: that of the cell.
-std::vector<ShareOfPoint> shares_in_simplex(const std::vector<RootPlace>& points, int dimension, const RootPlace& at);
+/// of points near the place that contains it, or if none does, the point of all these that is closest to it; the mean
+/// if several are as small. `dimension`: that of the cell; `along`: that of the points, less by one on a face.
+std::vector<ShareOfPoint> shares_in_simplex(const std::vector<RootPlace>& points, int dimension, int along,
+                                            const RootPlace& at);
 
 }  // namespace ixos

@@ -128,7 +128,7 @@ int SplitMesh::face_of(const Cell& cell, int side) const {
     for (const int corner : leaf.corners_on(face)) of_face.insert(leaf.corners[at(corner)]);
     if (of_face == own) return face;
   }
-  if (leaf.shape == TreeShape::Simplex) return -1;
+  if (leaf.shape == TreeShape::Simplex) return leaf.faces();
   throw std::logic_error("a side of the mesh is no face of its leaf");
 }
 

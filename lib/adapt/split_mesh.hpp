@@ -33,7 +33,7 @@ class SplitMesh {
   const Cell& cell_of(int leaf) const { return cells_[static_cast<std::size_t>(leaf)]; }
   int leaf_of(const Cell& cell) const;
   /// Returns the face of the unsplit cell on which a side of a cell lies, see TreeCell::faces(); one inside a box is
-  /// named as if it lay outside, one inside a simplex -1.
+  /// named as if it lay outside, one inside a simplex by the number of its faces.
   int face_of(const Cell& cell, int side) const;
 
   /// Returns the point at reference coordinates of a cell, and the reference coordinates of a point of it.

@@ -1,5 +1,6 @@
 #include "adapt/wished_splits.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "fem/corner_bits.hpp"
@@ -40,14 +41,15 @@ bool may_be_halved(const TreeCell& cell, const std::array<int, 3>& most) {
 
 }  // namespace
 
-bool has_coarse_faces(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options) {
+std::set<int> coarse_leaves(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options) {
+  std::set<int> coarse;
   for (const Front& front : signs.fronts)
     for (const int leaf : front.leaves()) {
       const TreeCell& cell = mesh.tree().cell(leaf);
       if (!(front.change(cell) > options.part)) continue;
-      if (may_be_halved(cell, allowed(options, mesh.base(), cell))) return true;
+      if (may_be_halved(cell, allowed(options, mesh.base(), cell))) coarse.insert(leaf);
     }
-  return false;
+  return coarse;
 }
 
 CellSplits wished_splits(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options,
@@ -67,7 +69,10 @@ CellSplits wished_splits(const SplitMesh& mesh, const Signs& signs, const AdaptO
     if (axes.empty() || !is_above(signs, cell, options, split_before >= 0)) return {};
     return axes;
   };
-  tree.split(wish, options.directions.empty(), most_refined_cells);
+  if (keep_all) tree.keep_levels(mesh.tree());
+  const bool in_all = options.directions.empty() && std::all_of(searches.begin(), searches.end(),
+                                                                [](const auto& search) { return search.splits_all(); });
+  tree.split(wish, in_all, most_refined_cells);
   return tree.trees().splits();
 }
 

@@ -1,6 +1,7 @@
 /// The splits of a mesh that follows its front.
 #pragma once
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "adapt/bulk.hpp"
@@ -17,9 +18,9 @@ struct Signs {
   std::unique_ptr<BulkStrain> bulk{};  ///< null: the bulk asks for nothing
 };
 
-/// Returns whether some face of the mesh is too coarse: its cell has fewer halvings than allowed, and the traction
-/// changes by more than its bound.
-bool has_coarse_faces(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options);
+/// Returns the leaves with a face that is too coarse, by their numbers in the tree: they have fewer halvings than
+/// allowed, and the traction changes by more than its bound.
+std::set<int> coarse_leaves(const SplitMesh& mesh, const Signs& signs, const AdaptOptions& options);
 
 /// Returns the splits that the state asks for, from the unsplit cells on: cells are split while a change is above its
 /// bound, that of a face above (1 + AdaptOptions::keep)/2 of it, those that are split already while it is above

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
+#include "discretization/hanging_corners.hpp"
 #include "fem/corner_element.hpp"
 #include "fem/with_element.hpp"
 #include "mesh/refinement.hpp"
@@ -87,15 +90,33 @@ LocalMesh CoarseSpace::coarse_mesh(const LocalMesh& fine, const DofSpace& fine_s
       for (int a = 0; a < nodes_per_cell(corner_type(block.type)); ++a) number[static_cast<std::size_t>(nodes[a])] = 0;
     });
   }
+  std::vector<char> corner(number.size());
+  for (std::size_t node = 0; node < number.size(); ++node) corner[node] = number[node] == 0 ? 1 : 0;
+  const std::map<int, std::vector<int>> hanging = hanging_corners(fine, fine_space, corner);
+  for (const auto& [node, masters] : hanging)
+    for (const int master : masters) number[static_cast<std::size_t>(master)] = 0;
   const auto d = static_cast<std::size_t>(fine.dimension);
   int count = 0;
-  for (std::size_t node = 0; node < number.size(); ++node) {
-    if (number[node] < 0) continue;
-    number[node] = count++;
-    if (static_cast<int>(node) < fine.owned_nodes) coarse.owned_nodes = count;
-    for (std::size_t i = 0; i < d; ++i) coarse.coordinates.push_back(fine.coordinates[node * d + i]);
-    coarse.original_ids.push_back(fine.original_ids[node]);
+  for (const bool tied : {false, true}) {
+    for (std::size_t node = 0; node < number.size(); ++node) {
+      if (number[node] < 0 || (hanging.count(static_cast<int>(node)) > 0) != tied) continue;
+      number[node] = count++;
+      if (!tied && static_cast<int>(node) < fine.owned_nodes) coarse.owned_nodes = count;
+      for (std::size_t i = 0; i < d; ++i) coarse.coordinates.push_back(fine.coordinates[node * d + i]);
+      coarse.original_ids.push_back(fine.original_ids[node]);
+    }
+    if (!tied) coarse.ties = NodeTies(count);
   }
+  double ties = 0;
+  for (const auto& [node, masters] : hanging) {
+    std::vector<NodeTies::Share> shares;
+    for (const int master : masters)
+      shares.push_back({number[static_cast<std::size_t>(master)], 1 / static_cast<double>(masters.size())});
+    coarse.ties.add(shares);
+    ties += node < fine.owned_nodes ? 1 : 0;
+  }
+  fine_space.sum(&ties, 1);
+  coarse.global_tied = std::lround(ties);
   for (const LocalBlock& block : fine.blocks) {
     LocalBlock here;
     here.name = block.name;
@@ -115,10 +136,15 @@ LocalMesh CoarseSpace::coarse_mesh(const LocalMesh& fine, const DofSpace& fine_s
   coarse.global_nodes = static_cast<long long>(map.getGlobalNumElements());
   std::vector<double> ids(static_cast<std::size_t>(fine_space.local()), 0.0);
   for (std::size_t node = 0; node < static_cast<std::size_t>(fine.owned_nodes); ++node)
-    if (number[node] >= 0) ids[node * d] = static_cast<double>(map.getGlobalElement(number[node]));
+    if (number[node] >= 0 && number[node] < coarse.owned_nodes)
+      ids[node * d] = static_cast<double>(map.getGlobalElement(number[node]));
   fine_space.update_ghosts(ids.data());
+  coarse.global_ids.resize(static_cast<std::size_t>(count));
   for (std::size_t node = 0; node < number.size(); ++node)
-    if (number[node] >= 0) coarse.global_ids.push_back(std::llround(ids[node * d]));
+    if (number[node] >= 0)
+      coarse.global_ids[static_cast<std::size_t>(number[node])] = coarse.ties.is_tied(number[node])
+                                                                      ? coarse.global_nodes + fine.original_ids[node]
+                                                                      : std::llround(ids[node * d]);
   return coarse;
 }
 
@@ -137,7 +163,7 @@ void CoarseSpace::find_shares(const LocalMesh& fine) {
             if (!mine.empty() || !has_place[a]) continue;  // a neighbour names the same corners
             for (std::size_t c = 0; c < in_cell[a].size(); ++c)
               if (in_cell[a][c] != 0) mine.push_back({number(cell[c]), in_cell[a][c]});
-            std::sort(mine.begin(), mine.end(), [](const Share& x, const Share& y) { return x.corner < y.corner; });
+            mine = resolved(std::move(mine));
           }
         });
       }
@@ -147,6 +173,17 @@ void CoarseSpace::find_shares(const LocalMesh& fine) {
     shares_.insert(shares_.end(), mine.begin(), mine.end());
     first_share_.push_back(shares_.size());
   }
+}
+
+/// Returns the shares of the corners that are not tied, ascending.
+std::vector<CoarseSpace::Share> CoarseSpace::resolved(std::vector<Share> shares) const {
+  std::map<int, double> weights;
+  for (const Share& share : shares)
+    mesh().ties.for_each_share(share.corner,
+                               [&](int master, double weight) { weights[master] += share.weight * weight; });
+  shares.clear();
+  for (const auto& [corner, weight] : weights) shares.push_back({corner, weight});
+  return shares;
 }
 
 /// A rank sees all fine nodes that an owned corner moves; ghosts learn from their owners.
@@ -161,10 +198,6 @@ void CoarseSpace::find_left_out(const std::vector<int>& constrained) {
   is_left_out_.assign(left_out.begin(), left_out.end());
   for (std::size_t dof = 0; dof < left_out.size(); ++dof)
     if (is_left_out_[dof] != 0) left_out_.push_back(static_cast<int>(dof));
-}
-
-std::size_t CoarseSpace::values() const {
-  return static_cast<std::size_t>(pattern().pairs()) * dimension_ * dimension_;
 }
 
 void CoarseSpace::prolongate(const Vector& coarse, Vector& fine) const {
@@ -205,6 +238,7 @@ Teuchos::RCP<CrsMatrix> CoarseSpace::matrix(const std::function<void(double*)>& 
     result->fillComplete(space().owned_map(), space().owned_map());
   } else {
     add(result->getLocalMatrixHost().values.data());
+    coarse_.pattern().condense(result->getLocalMatrixHost().values.data());
   }
   leave_out(diagonal, result->getLocalMatrixHost().values.data());
   return result;

@@ -19,8 +19,9 @@ namespace ixos {
 /// - Of a coarse cell's fine cells a rank may have some only. Each rank adds its own fine cells to the rows of all its
 ///   local coarse nodes, and the ranks sum them.
 ///
-/// Where quadratic cells have hanging nodes, a corner of finer cells in the middle of a coarser one's edge or face is a
-/// coarse node too. The linear cells do not conform there, and the Galerkin product is that of cells that come apart: a
+/// Where quadratic cells have hanging nodes, a corner of finer cells in the middle of a coarser one's edge or face is
+/// tied to the corners of that, see hanging_corners(), so that the linear cells conform. Where several levels meet,
+/// some such corners are coarse nodes of their own: there the Galerkin product is that of cells that come apart, a
 /// preconditioner all the same.
 ///
 /// A coarse degree of freedom that moves a constrained fine one is left out: its column of P is zero, and matrices have
@@ -36,7 +37,7 @@ class CoarseSpace {
   /// Returns the layout of values to which terms add: of owned rows, or of all local ones (see above).
   const Pattern& pattern() const { return local_rows_ ? *local_rows_ : coarse_.pattern(); }
   /// Returns the number of values in that layout.
-  std::size_t values() const;
+  std::size_t values() const { return pattern().values(); }
   /// Returns a matrix of owned rows, values zero.
   Teuchos::RCP<CrsMatrix> create_matrix() const { return coarse_.pattern().create_matrix(space()); }
   /// Returns P^T W P: `add` adds to values of pattern(), which are zero before. Left-out degrees of freedom get rows
@@ -44,7 +45,7 @@ class CoarseSpace {
   Teuchos::RCP<CrsMatrix> matrix(const std::function<void(double*)>& add, double diagonal) const;
   /// Returns the number of local fine degrees of freedom.
   std::size_t fine_local() const { return static_cast<std::size_t>(fine_space_.local()); }
-  /// Returns the local coarse node of a fine corner; -1 for a middle node.
+  /// Returns the local coarse node of a fine corner, which may be tied; -1 for a middle node.
   int number(int fine_node) const { return number_[static_cast<std::size_t>(fine_node)]; }
   /// Returns the local coarse degrees of freedom that are left out.
   const std::vector<int>& left_out() const { return left_out_; }
@@ -56,7 +57,7 @@ class CoarseSpace {
   /// Adds P^T D P for the diagonal D of a local fine array, ghosts included. Does not leave out any row.
   void add_diagonal(const double* fine, double* values) const;
 
-  /// A local coarse node that moves a fine one, and how much.
+  /// A local coarse node, not tied, that moves a fine one, and how much.
   struct Share {
     int corner;
     double weight;
@@ -69,6 +70,7 @@ class CoarseSpace {
   static LocalMesh coarse_mesh(const LocalMesh& fine, const DofSpace& fine_space, std::vector<int>& number);
   static LocalMesh coarse_cells(const LocalMesh& fine, std::vector<int>& number);
   void find_shares(const LocalMesh& fine);
+  std::vector<Share> resolved(std::vector<Share> shares) const;
   void take_shares(const LocalMesh& fine);
   void find_left_out(const std::vector<int>& constrained);
   /// Replaces the rows and columns of left-out degrees of freedom by `diagonal` I, in owned rows.

@@ -125,7 +125,8 @@ std::shared_ptr<Simulation> MeshFollower::refined() {
   const AdaptOptions& options = simulation_.adaptation();
   const SplitMesh& mesh = simulation_.split_mesh();
   const Signs signs = signs_of(simulation_, simulation_.integrator().attempted(), false);
-  if (!has_coarse_faces(mesh, signs, options)) return nullptr;
+  const std::set<int> coarse = coarse_leaves(mesh, signs, options);
+  if (std::includes(stay_coarse_.begin(), stay_coarse_.end(), coarse.begin(), coarse.end())) return nullptr;
   if (repeats_ >= options.levels) {
     problem_ = fmt::format(
         "the step from t = {:.6g} T0 was accepted with faces that are too coarse: it was repeated {} times on finer "
@@ -133,8 +134,16 @@ std::shared_ptr<Simulation> MeshFollower::refined() {
         simulation_.integrator().time(), repeats_);
     return nullptr;
   }
-  std::shared_ptr<Simulation> next =
-      with(wished_splits(mesh, signs, options, simulation_.refined_places(), true), "coarse");
+  const CellSplits finer = wished_splits(mesh, signs, options, simulation_.refined_places(), true),
+                   present = mesh.tree().splits();
+  if (finer == present || !finer.contain(present)) {
+    stay_coarse_.insert(coarse.begin(), coarse.end());
+    problem_ = fmt::format(
+        "at t = {:.6g} T0 faces at the front stay too coarse: prisms, pyramids and the cells beside them are not split",
+        simulation_.integrator().time());
+    return nullptr;
+  }
+  std::shared_ptr<Simulation> next = with(finer, "coarse");
   if (!next) return nullptr;
   changes_.energy.add_change(energies_of(simulation_), energies_of(*next));
   ++changes_.count;

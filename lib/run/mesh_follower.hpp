@@ -1,6 +1,7 @@
 /// Changes of the mesh during a run: it follows the front.
 #pragma once
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -55,9 +56,10 @@ class MeshFollower {
 
   Simulation& simulation_;
   MeshChanges changes_;
-  int repeats_ = 0;      ///< of the step under way
-  CellSplits refused_;   ///< those with which the state was not admissible
-  CellSplits too_dear_;  ///< those whose energy the budget did not have
+  int repeats_ = 0;            ///< of the step under way
+  CellSplits refused_;         ///< those with which the state was not admissible
+  CellSplits too_dear_;        ///< those whose energy the budget did not have
+  std::set<int> stay_coarse_;  ///< leaves whose faces are too coarse, but cannot be split
   std::string problem_;
 };
 

@@ -84,6 +84,19 @@ std::vector<double> begins_of_stages(const std::string& path, std::size_t stages
   return begins;
 }
 
+/// Returns the simulation of the stage in which a checkpoint was written; null if it is the first one.
+std::shared_ptr<Simulation> stage_of_checkpoint(const Simulation& simulation, const std::string& path) {
+  if (!simulation.stages().any()) return nullptr;
+  const Comm& comm = simulation.model().space().comm();
+  const std::string file = sound_checkpoint(comm, path);
+  std::vector<double> begins;
+  together<InputError>(comm, [&] { begins = begins_of_stages(file, simulation.stages().count()); });
+  std::shared_ptr<Simulation> stage;
+  for (std::size_t k = simulation.stage(); k < begins.size(); ++k)
+    stage = (stage ? *stage : simulation).next_stage(begins[k]);
+  return stage;
+}
+
 /// Returns the simulation on the mesh that a checkpoint was written with; null if it has it.
 std::shared_ptr<Simulation> mesh_of_checkpoint(const Simulation& simulation, const std::string& path) {
   const Comm& comm = simulation.model().space().comm();
@@ -164,16 +177,10 @@ void Restart::load(const std::function<void(Record&)>& transfer) {
 }
 
 std::shared_ptr<Simulation> simulation_of_checkpoint(const Simulation& simulation, const std::string& path) {
-  if (simulation.adaptation().on()) return mesh_of_checkpoint(simulation, path);
-  if (!simulation.stages().any()) return nullptr;
-  const Comm& comm = simulation.model().space().comm();
-  const std::string file = sound_checkpoint(comm, path);
-  std::vector<double> begins;
-  together<InputError>(comm, [&] { begins = begins_of_stages(file, simulation.stages().count()); });
-  std::shared_ptr<Simulation> stage;
-  for (std::size_t k = simulation.stage(); k < begins.size(); ++k)
-    stage = (stage ? *stage : simulation).next_stage(begins[k]);
-  return stage;
+  std::shared_ptr<Simulation> stage = stage_of_checkpoint(simulation, path);
+  if (!simulation.adaptation().on()) return stage;
+  std::shared_ptr<Simulation> on_its_mesh = mesh_of_checkpoint(stage ? *stage : simulation, path);
+  return on_its_mesh ? on_its_mesh : stage;
 }
 
 bool Restart::is_in(const std::string& folder) const {

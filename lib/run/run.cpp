@@ -266,11 +266,13 @@ void Run::take_over(Run& before) {
   result_ = before.result_;
   clock_ = before.clock_;
   add_findings(run_warnings(before.measures_.finish(before.files_.history())));
+  follower_.go_on_from(before.follower_);
   try {
     files_.go_on_from(before.files_, false);
   } catch (const FileError& error) {
     throw FileError(before.with_position(error.what()));
   }
+  files_.history().set_adapted(follower_.changes().energy.total());
   checkpoints_.go_on_from(before.checkpoints_);
   resumed_from_ = checkpoints_.newest();  // of another simulation: the watch does not go back there
   measures_.row(files_.history());

@@ -50,8 +50,8 @@ void RunFiles::name_frames() {
 
 void RunFiles::go_on_from(RunFiles& before, bool on_other_mesh) {
   history_.go_on_from(before.history_);
+  if (before.fields_ && !before.framed_ && !on_other_mesh) before.record_frame();
   if (before.frames_begun_) {
-    if (!before.framed_ && !on_other_mesh) before.fields_->record();
     before.fields_->sync();
     before.fields_->close();
   }
@@ -70,8 +70,10 @@ void RunFiles::go_on_from(RunFiles& before, bool on_other_mesh) {
   on_first_rank(simulation_.model().space().comm(), [&] { write_scene_file(simulation_.parameters(), scene_path()); });
   if (!goes_on && fields_) begin_frames();
   if (!goes_on) return;
+  framed_ = true;
+  if (!before.frames_begun_) return;  // the mesh changed after the last frame: the file begins with its first one
   fields_->resume(before.fields_->length());
-  framed_ = frames_begun_ = true;
+  frames_begun_ = true;
 }
 
 void RunFiles::open_folder(bool goes_on) {

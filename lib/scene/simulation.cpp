@@ -137,15 +137,13 @@ Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
   adaptation_ = read_adaptation(scene_node, interactions_);
-  if (adaptation_.on() && stages().any())
-    throw InputError("Mesh/Adapt: a mesh that follows the front does not go with Stages; set Levels to 0");
   build_model(comm, table.mass, splits);
   build_integrator(std::move(table));
   if (stage() == 0 && splits == nullptr)
     set_initial_state();
   else
     integrator_->await_state(control.initial_time);
-  if (stages().any() && stage() == 0) {
+  if (stages().any() && stage() == 0 && splits == nullptr) {
     planned_end_ = stages().planned_ends().back();
     look_ahead();
   }
@@ -203,15 +201,23 @@ std::unique_ptr<Simulation> Simulation::next_stage(double begin) const {
   if (!has_next_stage()) throw std::logic_error("the scene has no further stage");
   std::vector<double> begins = begins_;
   begins.push_back(begin);
-  std::unique_ptr<Simulation> next(new Simulation(plan_, model_->space().comm(), std::move(begins)));
+  CellSplits splits;
+  if (split_mesh_) splits = split_mesh_->tree().splits();
+  plan_->owner = owner_;
+  plan_->mesh = mesh_fingerprint_;
+  std::unique_ptr<Simulation> next(
+      new Simulation(plan_, model_->space().comm(), std::move(begins), split_mesh_ ? &splits : nullptr));
   next->setup_seconds_ += setup_seconds_;                                 // of all so far
   next->planned_end_ = planned_end_ + begin - step_control().final_time;  // a stage may end early
   return next;
 }
 
 std::unique_ptr<Simulation> Simulation::on_mesh(const CellSplits& splits) const {
+  plan_->owner.clear();
+  plan_->mesh.clear();
   std::unique_ptr<Simulation> next(new Simulation(plan_, model_->space().comm(), begins_, &splits));
   next->setup_seconds_ += setup_seconds_;
+  next->planned_end_ = planned_end_;
   return next;
 }
 
@@ -316,10 +322,9 @@ void Simulation::build_model(const Comm& comm, Inertia inertia, const CellSplits
     if (mesh_fingerprint_ != first)
       throw InputError("the ranks read different meshes: all must see the same files, and the same cache of meshes");
   });
-  if (plan_->mesh.empty()) plan_->mesh = mesh_fingerprint_;
-  if (plan_->mesh != mesh_fingerprint_ && !adaptation_.on())
+  if (!plan_->mesh.empty() && plan_->mesh != mesh_fingerprint_)
     throw InputError(
-        "the mesh is another one than that of the first stage: all stages need the same contact elements on the same "
+        "the mesh is another one than that of the stage before: all stages need the same contact elements on the same "
         "surfaces, the same mesh and the same Factor Fields");
   mesh_quality_ = ixos::mesh_quality(mesh);
   const std::vector<int> parts = connected_parts(mesh);
@@ -327,9 +332,9 @@ void Simulation::build_model(const Comm& comm, Inertia inertia, const CellSplits
   if (std::string bad = quality_warning(mesh_quality_); !bad.empty())
     warnings_.push_back({"mesh quality", std::move(bad)});
   const int ranks = comm->getSize();
-  // All stages have one partition: states are handed over rank by rank.
-  std::vector<int> owner = plan_->owner.empty() ? partition(mesh, ranks, inertia) : plan_->owner;
-  if (stages().any()) plan_->owner = owner;
+  // Stages on one mesh have one partition: states are handed over rank by rank.
+  const std::vector<int> owner = plan_->owner.empty() ? partition(mesh, ranks, inertia) : plan_->owner;
+  if (stages().any()) owner_ = owner;
   model_ = at("Materials", [&] {
     return std::make_unique<Model>(local_mesh(mesh, owner, comm->getRank(), ranks, inertia), comm, materials_, inertia);
   });

@@ -117,8 +117,9 @@ class Simulation {
     std::function<void(const Teuchos::ParameterList& list)> prepare;  ///< before make_mesh, on the first rank
     GivenHistories given;
     std::vector<std::string> columns{};
-    std::vector<int> owner{};  ///< the ranks of the nodes, if there are several stages
-    std::string mesh{};        ///< the fingerprint of the first stage's mesh
+    // Of the simulation that is built next, if it goes on with the mesh of a stage; empty if not.
+    std::vector<int> owner{};  ///< the ranks of the nodes
+    std::string mesh{};        ///< the fingerprint that the mesh must have
   };
   static Plan given_mesh_plan(const Teuchos::ParameterList& scene, const Mesh& mesh, const GivenHistories& given);
   /// `splits`: of a mesh that follows the front, whose state comes later; null: those of the list "Refine".
@@ -147,6 +148,7 @@ class Simulation {
   std::unique_ptr<Integrator> integrator_;
   AdaptOptions adaptation_;
   std::unique_ptr<const SplitMesh> split_mesh_;  ///< null if the mesh stays
+  std::vector<int> owner_;                       ///< the ranks of the nodes, if there are several stages
   std::vector<Probe> probes_;
   std::string mesh_fingerprint_;
   MeshQuality mesh_quality_;

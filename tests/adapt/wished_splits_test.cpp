@@ -107,7 +107,7 @@ TEST(WishedSplitsTest, FacesAreSplitUntilTheTractionChangesByThePart) {
     const Front front(fine, "bottom", law, rising(fine, first, 0.2));
     Signs signs;
     signs.fronts.push_back(front);
-    EXPECT_FALSE(has_coarse_faces(fine, signs, options(8)));
+    EXPECT_TRUE(coarse_leaves(fine, signs, options(8)).empty());
     double largest = 0;
     for (std::size_t k = 0; k < fine.tree().cells().size(); ++k)
       if (fine.tree().is_leaf(static_cast<int>(k))) largest = std::max(largest, front.change(fine.tree().cells()[k]));

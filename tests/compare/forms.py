@@ -119,6 +119,7 @@ def scene_forms(schemes):
     yield "pillar-backing", "pillar-backing", ["Mesh/Parts/pillar/Box/Divisions={20, 8}",
                                                "Mesh/Parts/backing/Box/Divisions={12, 12}", FINAL + "0.5"]
     yield "strip-front", "strip-front", [FINAL + "14"]
+    yield "sphere-front", "sphere-front", ["Mesh/Box/Divisions={4, 4, 2}", FINAL + "0.8"]
     yield "press-wait-pull", "press-wait-pull", ["Stages/Pull/" + FINAL + "10"]
     yield "afm", "afm", [FINAL + "0.5"]
     yield "afm-rough", "afm-rough", ROUGH

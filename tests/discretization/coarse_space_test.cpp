@@ -15,6 +15,7 @@
 #include "mesh/partition.hpp"
 #include "mesh/refinement.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/splitting/refine.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -141,6 +142,33 @@ TEST(ContactCoarseSpaceTest, ProlongatesToContactSidesOfFourthOrder) {
     coarse.prolongate(body.field(coarse.mesh(), coarse.space(), multilinear), fine);
     fine.update(-1.0, body.field(mesh, space, multilinear), 1.0);
     EXPECT_LT(fine.normInf(), 1e-13);
+  }
+}
+
+// Linear cells conform where nodes of finer cells hang: what they prolongate is what the ties make of it.
+TEST(HangingCoarseSpaceTest, IsConformingAndProlongatesMultilinearFieldsExactly) {
+  for (const int dimension : {2, 3}) {
+    const Kind kind{dimension, true};
+    Mesh whole = Body::whole(kind);
+    RefinedRegion region;
+    region.upper.assign(static_cast<std::size_t>(dimension), 0.7);
+    refine(whole, {{"corner", region}}, 2);
+    const Comm comm = test::world();
+    const LocalMesh mesh = part_of(whole, comm);
+    const DofSpace space(mesh, comm);
+    const CoarseSpace coarse(mesh, space, {});
+    EXPECT_GT(coarse.mesh().global_tied, 0);
+    Body body(kind);
+    body.mesh = mesh;
+    Vector fine(space.owned_map());
+    coarse.prolongate(body.field(coarse.mesh(), coarse.space(), multilinear), fine);
+    fine.update(-1.0, body.field(mesh, space, multilinear), 1.0);
+    EXPECT_LT(fine.normInf(), 1e-13);
+    Vector x = body.field(coarse.mesh(), coarse.space(), wave), y = body.field(mesh, space, other_wave);
+    Vector px(space.owned_map()), pty(coarse.space().owned_map());
+    coarse.prolongate(x, px);
+    coarse.restrict_to_coarse(y, pty);
+    EXPECT_NEAR(px.dot(y), x.dot(pty), 1e-13 * px.norm2() * y.norm2());
   }
 }
 

@@ -358,6 +358,36 @@ TEST_F(MeshFollowerTest, TwoBallsInSpaceKeepTheirMomenta) {
   expect_closed(rows, result.largest_energy);
 }
 
+/// Three stages: the strip is pulled, waits, and is pulled on by another scheme, with another law.
+std::string staged_strip(const std::string& mesh, const std::string& output) {
+  const auto stage = [](const std::string& scheme, double step, double end) {
+    return list("Time Integrator", word("Type", scheme) + steps(step, end));
+  };
+  const std::string on =
+      list("Histories", list("Up", word("Type", "Ramp") + list("Ramp", number("Value", 1) + number("Length", 2)))) +
+      list("Interactions", list("Wall", word("Factor", "0.8")));
+  return strip("Average Vector Field", mesh, 0.05, 1, output) +
+         list("Stages", list("Pull", "") + list("Wait", stage("Newmark", 0.05, 0.4)) +
+                            list("On", on + stage("Average Vector Field", 0.025, 1.6)));
+}
+
+TEST_F(MeshFollowerTest, StagesGoOnWithTheMesh) {
+  const RunResult whole =
+      expect_goes_on(staged_strip(adapt(2), checkpoints(6, 100) + count("Fields Interval", 5)), {12, 18, 24, 30, 60});
+  EXPECT_EQ(whole.stages.size(), 2U);
+  EXPECT_GT(whole.mesh_changes.count, 4);
+  world()->barrier();
+  const HistoryTable rows = table("whole");
+  // The last stage keeps its balance from its first row on.
+  const std::vector<double>&total = rows.column("total_energy"), &work = rows.column("external_work"),
+        &adapted = rows.column("adapted_energy"), &lost = rows.column("dissipated_energy");
+  const std::size_t first = 29;
+  for (std::size_t k = first; k < rows.rows(); ++k)
+    EXPECT_NEAR(total[k] + lost[k] - work[k] - adapted[k], total[first] + lost[first] - work[first] - adapted[first],
+                1e-11 * whole.largest_energy)
+        << k;
+}
+
 TEST_F(MeshFollowerTest, ACheckpointOfAnotherKindIsRefused) {
   const std::string output = checkpoints(5, 100);
   run_scene(strip("Newmark", "", 0.05, 0.5, output), "stays");

@@ -260,7 +260,7 @@ TEST_F(StagesTest, EnrichedSurfacesAreThoseOfAllStages) {
                     Simulation(scene(block(list("Press", "") + list("Pull", other + integrator("Static", 0.1, 1)))),
                                world());
                   }),
-                  "Stages/Pull: the mesh is another one than that of the first stage");
+                  "Stages/Pull: the mesh is another one than that of the stage before");
   // Criteria, too, are looked at before the first stage.
   const std::string stop =
       list("Stop", list("Out", word("Type", "Probe") + list("Probe", word("Name", "none") + number("Limit", 1))));

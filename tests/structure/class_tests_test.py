@@ -23,6 +23,7 @@ CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]
 elsewhere = {
     "mesh/merged_parts.hpp": ("scene/read/mesh_parts_test.cpp", "parts that share faces, and those that do not fit"),
     "base/memory_record.hpp": ("base/snapshot_test.cpp", "values by path, saved and restored"),
+    "discretization/hanging_corners.hpp": ("discretization/coarse_space_test.cpp", "linear cells that conform"),
     "mesh/splitting/longest_edges.hpp": ("mesh/splitting/refine_simplices_test.cpp", "neighbours that agree"),
     "run/energies.hpp": ("run/stages_test.cpp", "energies that a stage begins with"),
     "run/handover.hpp": ("run/stages_test.cpp", "stages that go on from each other"),

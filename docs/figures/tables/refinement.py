@@ -110,7 +110,43 @@ def measure_following(context):
     return rows
 
 
+# Meshes of the sphere of xml/sphere-front.xml: cells along and across, levels. The first one is the reference.
+SPHERES = ((12, 6, 2), (24, 12, 0), (16, 8, 0), (12, 6, 0), (8, 4, 0), (4, 2, 2), (6, 3, 2), (8, 4, 1), (8, 4, 2))
+
+
+def sphere(along, up, levels):
+    """Returns the settings of a mesh."""
+    return [f"Mesh/Box/Divisions={{{along}, {along}, {up}}}", f"Mesh/Adapt/Levels={levels}", "Mesh/Adapt/Budget=1",
+            "Output/Fields Time Interval=0", "Output/Checkpoint/Keep=0"]
+
+
+def measure_sphere(context):
+    """Compares the force of the sphere on each mesh with that on the first one."""
+    rows, finest = [], None
+    for along, up, levels in context.pick(SPHERES, SPHERES[4:6]):
+        summary = context.run("sphere-front", sphere(along, up, levels))
+        _, *force = results.Run(context.folder / "run").reaction("top_z")
+        finest = finest or force
+        changes = summary.get("mesh_changes", {})
+        rows.append({"mesh": f"{along} x {along} x {up}" + (f", up to {levels} level{'s' * (levels > 1)}" if levels else ""),
+                     "mean": changes.get("mean_dofs", summary["dofs"]), "changes": changes.get("count", 0),
+                     "error": measures.deviation(*force, *finest, (0, 2))[1],
+                     "linear": summary["linear_iterations"] / summary["newton_iterations"],
+                     "newton": summary["newton_iterations"], "seconds": summary["wall_seconds"]})
+    uniform = next((row for row in rows if "level" not in row["mesh"]), rows[0])
+    for row in rows:
+        row["time"] = row["seconds"] / uniform["seconds"]
+    return rows
+
+
 TABLES = [
+    Table(name="elements-sphere", page=PAGE, code=(*bodies.MECHANICS, "lib/adapt", "lib/run", "xml/sphere-front.xml"),
+          minutes=6, measure=measure_sphere,
+          columns=[Column("mesh"), Column("mean degrees of freedom", "{:,.0f}", "mean"),
+                   Column("changes of the mesh", "{:,}", "changes"), Column("error of the force", "{:.4f}", "error"),
+                   Column("iterations of Newton's method", "{:,}", "newton"),
+                   Column("of CG for each", "{:.1f}", "linear"), Column("time", "{:.2f}", "time"),
+                   Column("s", "{:.1f}", "seconds")]),
     Table(name="elements-front", page=PAGE, code=(*bodies.MECHANICS, "lib/adapt", "lib/run", "xml/strip-front.xml"),
           minutes=2, measure=measure_following,
           columns=[Column("mesh"), Column("mean degrees of freedom", "{:,.0f}", "mean"),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -15,7 +16,6 @@
 #include "fem/with_element.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 #include "mesh/region.hpp"
-#include "mesh/splitting/longest_edges.hpp"
 
 namespace ixos {
 namespace {
@@ -85,6 +85,7 @@ CellTree::CellTree(Mesh& mesh)
       blocks_(mesh.blocks),
       coordinates_(mesh.coordinates.size()),
       middles_(mesh.nodes()),
+      longest_(mesh),
       edges_(at(mesh.dimension)) {
   for (int axis = 0; axis < mesh.dimension; ++axis)
     for (int bits = 0; bits < 1 << mesh.dimension; ++bits)
@@ -99,7 +100,6 @@ CellTree::CellTree(Mesh& mesh)
 
 void CellTree::add_roots() {
   corner_.assign(mesh_.coordinates.size() / at(mesh_.dimension), 0);
-  const LongestEdges longest(mesh_);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const ElementBlock& block = blocks_[b];
     const CellInfo &info = cell_info(block.type), &corners = cell_info(corner_type(block.type));
@@ -115,7 +115,7 @@ void CellTree::add_roots() {
       for (int corner = 0; corner < corners.nodes; ++corner) corner_[at(own.corners[at(corner)])] = 1;
       if (own.shape == TreeShape::Simplex) {
         for (std::size_t k = 1; k < at(corners.nodes); ++k) own.vertices[k][k - 1] = 1;
-        own.marks = longest.marks(own);
+        own.marks = longest_.marks(own);
       }
       cells_.push_back(own);
       if (!is_quadratic(block.type)) continue;
@@ -143,26 +143,54 @@ void CellTree::bound_levels() {
       if (of_whole_cells[at(cells_[at(root)].corners[at(corner)])] != 0) most_[at(root)] = 0;
 }
 
-/// Lowers the levels that the neighbours of torn cells may have, of those that have more levels than these.
-void CellTree::lower_bounds() {
+/// Returns the largest level of the parts of each root.
+std::vector<int> CellTree::levels() const {
   std::vector<int> level(at(roots_), 0);
-  std::vector<std::vector<int>> around(corner_.size());  // roots by node
   for (const TreeCell& cell : cells_) {
     int& own = level[at(root(cell.block, cell.root))];
     own = std::max(own, cell.level());
   }
+  return level;
+}
+
+void CellTree::keep_levels(const SplitTree& trees) {
+  kept_.assign(at(roots_), 0);
+  for (const TreeCell& cell : trees.cells()) {
+    int& own = kept_[at(root(cell.block, cell.root))];
+    own = std::max(own, cell.level());
+  }
+}
+
+/// Lowers the levels that the cells around torn ones may have: of all that have more than these, whether or not they
+/// are the ones that tear them.
+void CellTree::lower_bounds() {
+  const std::vector<int> level = levels();
+  std::vector<std::vector<int>> around(corner_.size());  // roots by node
   for (int root = 0; root < roots_; ++root)
     for (int corner = 0; corner < cells_[at(root)].count; ++corner)
       around[at(cells_[at(root)].corners[at(corner)])].push_back(root);
+  std::sort(torn_.begin(), torn_.end());
+  torn_.erase(std::unique(torn_.begin(), torn_.end()), torn_.end());
   for (const int torn : torn_) {
     std::set<int> neighbours;
     for (int corner = 0; corner < cells_[at(torn)].count; ++corner)
       for (const int root : around[at(cells_[at(torn)].corners[at(corner)])]) neighbours.insert(root);
-    const bool some_are_finer =
-        std::any_of(neighbours.begin(), neighbours.end(), [&](int root) { return level[at(root)] > most_[at(torn)]; });
-    for (const int root : neighbours)
-      if (level[at(root)] > (some_are_finer ? most_[at(torn)] : 0))
-        most_[at(root)] = std::min(most_[at(root)], level[at(root)] - 1);
+    // Those that are finer than both this cell may be and they have to stay; else those that are finer; else all.
+    const std::array<std::function<int(int)>, 3> least{
+        [&](int root) { return std::max(most_[at(torn)], kept_.empty() ? 0 : kept_[at(root)]); },
+        [&](int) { return most_[at(torn)]; }, [](int) { return 0; }};
+    for (const auto& bound : least) {
+      bool any = false;
+      for (const int root : neighbours) {
+        if (level[at(root)] <= bound(root)) continue;
+        any = true;
+        // A level more than the torn cell's is what neighbours may have without effort.
+        const int step = cells_[at(root)].shape == TreeShape::Simplex ? mesh_.dimension : 1;
+        const int lower = std::max(bound(root), std::min(level[at(root)] - 1, most_[at(torn)] + step));
+        most_[at(root)] = std::min(most_[at(root)], lower);
+      }
+      if (any) break;
+    }
   }
 }
 
@@ -201,6 +229,9 @@ void CellTree::bisect(int cell, int axis) {
 
 void CellTree::bisect_simplex(int cell) {
   const TreeCell whole = cells_[at(cell)];
+  if (whole.halvings[0] == most_bisections)
+    throw InputError(
+        fmt::format("triangles and tetrahedra are bisected at most {} times; use fewer levels", most_bisections));
   const int low = whole.marks.refinement[0], high = whole.marks.refinement[1];
   const int node = middle(whole, whole.corners[at(low)], whole.corners[at(high)], whole.middle_place({low, high}));
   corner_[at(node)] = 1;
@@ -230,7 +261,8 @@ CornerBox CellTree::box_of(const TreeCell& cell) const {
 /// Returns the halvings that a region asks of a cell that meets it, along each axis.
 std::array<int, 3> CellTree::asked_halvings(const TreeCell& cell, const RegionSearch& region) const {
   std::array<int, 3> asked{};
-  if (cell.shape != TreeShape::Box) return {region.levels(), 0, 0};
+  if (cell.shape == TreeShape::Whole) return asked;
+  if (cell.shape == TreeShape::Simplex) return {region.levels(), 0, 0};
   for (int axis = 0; axis < mesh_.dimension; ++axis)
     if (region.splits_along(direction_of(mesh_, cell, axis))) asked[at(axis)] = region.levels();
   return asked;
@@ -238,6 +270,7 @@ std::array<int, 3> CellTree::asked_halvings(const TreeCell& cell, const RegionSe
 
 std::vector<int> CellTree::axes_to_halve(const TreeCell& cell, const std::array<int, 3>& wanted) const {
   std::vector<int> axes;
+  if (cell.shape == TreeShape::Whole) return axes;
   if (cell.shape == TreeShape::Simplex) {
     if (cell.halvings[0] < mesh_.dimension * wanted[0]) axes.push_back(0);
     return axes;
@@ -302,7 +335,7 @@ bool CellTree::has_one_of(const std::set<std::array<int, 2>>& edges, const TreeC
 bool CellTree::has_middle_on_an_edge(const TreeCell& cell) {
   for (int a = 0; a < cell.count; ++a)
     for (int b = 0; b < a; ++b)
-      if (const int m = middles_.find(cell.corners[at(a)], cell.corners[at(b)]); m >= 0 && is_corner(m)) return true;
+      if (const int m = middles_.named(cell.corners[at(a)], cell.corners[at(b)]); m >= 0 && is_corner(m)) return true;
   return false;
 }
 
@@ -345,7 +378,7 @@ double CellTree::forecast(const RegionSearch& region, std::size_t sample) {
     std::vector<std::pair<int, std::vector<int>>> wanted;  // cells and axes
     for (const int leaf : open) {
       const TreeCell& cell = cells_[at(leaf)];
-      if (!region.meets(box_of(cell))) continue;
+      if (!may_be_split(cell) || !region.meets(box_of(cell))) continue;
       std::vector<int> axes = axes_to_halve(cell, asked_halvings(cell, region));
       if (!axes.empty()) wanted.emplace_back(leaf, std::move(axes));
     }
@@ -371,12 +404,17 @@ void CellTree::refuse_more_than(long long most) const {
 
 /// Splits once. Returns whether no cell would have to be split that stays whole.
 bool CellTree::grow(const Wish& wish, bool in_all_directions, long long most) {
+  bounded_.assign(at(roots_), 0);
   std::vector<int> open = leaves();
   while (!open.empty()) {
     const int cell = open.back();
     open.pop_back();
     const std::vector<int> axes = wish(cells_[at(cell)]);
-    if (axes.empty() || !may_be_split(cells_[at(cell)])) continue;
+    if (axes.empty()) continue;
+    if (const TreeCell& own = cells_[at(cell)]; !may_be_split(own)) {
+      bounded_[at(root(own.block, own.root))] = 1;
+      continue;
+    }
     const auto first = static_cast<int>(cells_.size());
     halve(cell, axes);
     for (int part = first; part < static_cast<int>(cells_.size()); ++part)

@@ -1,5 +1,6 @@
 /// Cells that are split, again and again: boxes along their own axes, simplices through the middles of edges.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <set>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "mesh/splitting/longest_edges.hpp"
 #include "mesh/splitting/middle_nodes.hpp"
 #include "mesh/splitting/refined_region.hpp"
 #include "mesh/splitting/split_tree.hpp"
@@ -52,6 +54,12 @@ class CellTree {
   /// each level at most `sample` cells, which stand for the others. The tree is of no use then.
   double forecast(const RegionSearch& region, std::size_t sample);
 
+  /// Keeps split(), as far as that can be, from lowering the levels that cells have in other trees of the same cells.
+  void keep_levels(const SplitTree& trees);
+  /// Returns the cells of the mesh of which split() did not split all parts that it was asked to: prisms, pyramids, and
+  /// those beside them.
+  int bounded() const { return static_cast<int>(std::count(bounded_.begin(), bounded_.end(), 1)); }
+
   /// Calls visit(leaf) for the leaves of a cell of the mesh, in order.
   template <class Visit>
   void for_each_leaf(int block, int cell, const Visit& visit) const {
@@ -63,6 +71,8 @@ class CellTree {
   }
 
   int dimension() const { return mesh_.dimension; }
+  /// Returns a cell of the mesh.
+  const TreeCell& whole(int block, int cell) const { return cells_[at(root(block, cell))]; }
   /// Returns the trees as a value.
   SplitTree trees() const { return {mesh_.dimension, cells_, first_root_}; }
   /// Returns the axes that `wanted` has more halvings along than the cell, of those the ones with the fewest.
@@ -90,6 +100,7 @@ class CellTree {
   std::vector<int> leaves() const;
   void add_roots();
   void bound_levels();
+  std::vector<int> levels() const;
   bool may_be_split(const TreeCell& cell) const { return cell.level() < most_[at(root(cell.block, cell.root))]; }
   void lower_bounds();
   bool grow(const Wish& wish, bool in_all_directions, long long most);
@@ -115,11 +126,14 @@ class CellTree {
   int roots_ = 0;
   std::vector<TreeCell> cells_;
   MiddleNodes middles_;
+  const LongestEdges longest_;
   std::vector<char> corner_;  ///< by node
   std::vector<std::vector<std::array<int, 2>>> edges_;
-  std::vector<char> met_;  ///< by region: some cell meets it
-  std::vector<int> most_;  ///< by root: the level that its parts may have
-  std::vector<int> torn_;  ///< roots that neighbours would split beyond that level
+  std::vector<char> met_;      ///< by region: some cell meets it
+  std::vector<int> most_;      ///< by root: the level that its parts may have
+  std::vector<int> torn_;      ///< roots that neighbours would split beyond that level
+  std::vector<int> kept_;      ///< by root: the level below which that is not lowered; empty: 0
+  std::vector<char> bounded_;  ///< by root: a wish was not granted
 };
 
 }  // namespace ixos

@@ -9,7 +9,7 @@ std::uint64_t MiddleNodes::key(int a, int b) {
   return static_cast<std::uint64_t>(low) << 32U | static_cast<std::uint64_t>(high);
 }
 
-int MiddleNodes::known(int a, int b) const {
+int MiddleNodes::named(int a, int b) const {
   const auto found = nodes_.find(key(a, b));
   return found == nodes_.end() ? -1 : found->second;
 }
@@ -24,16 +24,16 @@ std::vector<MiddleNodes::Pair> MiddleNodes::crossing(int a, int b) const {
   std::vector<Pair> found;
   for (const auto& [p, q] : origins_[static_cast<std::size_t>(a)])
     for (const auto& [r, s] : origins_[static_cast<std::size_t>(b)])
-      for (const Pair& pair : {Pair{known(p, r), known(q, s)}, Pair{known(p, s), known(q, r)}})
+      for (const Pair& pair : {Pair{named(p, r), named(q, s)}, Pair{named(p, s), named(q, r)}})
         if (pair[0] >= 0 && pair[1] >= 0 && pair[0] != a && pair[0] != b)  // halves of one edge are no face
           found.push_back(pair);
   return found;
 }
 
 int MiddleNodes::find(int a, int b) {
-  int same = known(a, b);
+  int same = named(a, b);
   if (same >= 0) return same;
-  for (const auto& [left, right] : crossing(a, b)) same = std::max(same, known(left, right));
+  for (const auto& [left, right] : crossing(a, b)) same = std::max(same, named(left, right));
   if (same >= 0) set(a, b, same);
   return same;
 }

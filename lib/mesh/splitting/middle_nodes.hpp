@@ -19,6 +19,9 @@ class MiddleNodes {
 
   /// Returns the node between a and b; -1 if there is none.
   int find(int a, int b);
+  /// Returns the node that was named as the one between a and b; -1 if none was. It suffices where no face is halved
+  /// both ways: for simplices.
+  int named(int a, int b) const;
   /// Returns the pairs of nodes that cross a and b on a face: if these are the middles of two of its edges, those of
   /// the other two.
   std::vector<Pair> crossing(int a, int b) const;
@@ -31,7 +34,6 @@ class MiddleNodes {
 
  private:
   static std::uint64_t key(int a, int b);
-  int known(int a, int b) const;
 
   std::unordered_map<std::uint64_t, int> nodes_;
   /// By node: the pairs of which it is the middle, one along an edge, two across a face, three in a cell.

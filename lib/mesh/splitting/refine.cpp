@@ -33,6 +33,8 @@ class LeafMesh {
 
   void make() {
     add_cells();
+    for (const Side& side : boundary_sides(before_))
+      for_each_part(side, [&](const Side& part) { outside_.push_back(part); });
     add_side_sets();
     add_node_sets();
     const HangingNodes hanging = find_hanging_nodes(tree_, order_);
@@ -100,18 +102,14 @@ class LeafMesh {
     }
   }
 
-  /// The face of a cell of the mesh before on which a side lies, see TreeCell::faces().
-  int face_of(const TreeCell& leaf, CellType type, int side) const {
+  /// The face of a whole cell on which a side lies, see TreeCell::faces().
+  static int face_of(const TreeCell& whole, CellType type, int side) {
     const std::vector<int> corners = side_nodes(corner_type(type), side);
     const std::set<int> own(corners.begin(), corners.end());
-    for (int face = 0; face < leaf.faces(); ++face) {
+    for (int face = 0; face < whole.faces(); ++face) {
       std::set<int> of_face;
-      if (leaf.shape == TreeShape::Box) {
-        for (const int corner : leaf.corners_on(face)) of_face.insert(corner_bits(corner));
-      } else {
-        for (int corner = 0; corner < leaf.count; ++corner)
-          if (corner != face) of_face.insert(corner);
-      }
+      for (const int corner : whole.corners_on(face))
+        of_face.insert(whole.shape == TreeShape::Box ? corner_bits(corner) : corner);
       if (of_face == own) return face;
     }
     throw std::logic_error("a side of a cell has no face");
@@ -131,13 +129,15 @@ class LeafMesh {
   template <class Visit>
   void for_each_part(const Side& side, const Visit& visit) const {
     const CellType type = before_.blocks[at(side.block)].type;
+    const TreeCell& whole = tree_.whole(side.block, side.cell);
+    const bool is_box = whole.shape == TreeShape::Box;
+    const int face = whole.shape == TreeShape::Whole ? -1 : face_of(whole, type, side.side);
     int leaf_number = first_leaf_[at(side.block)][at(side.cell)];
     tree_.for_each_leaf(side.block, side.cell, [&](const TreeCell& leaf) {
       const Side part{side.block, leaf_number++, side.side};
-      if (leaf.shape == TreeShape::Whole) return visit(part);
-      const int face = face_of(leaf, type, side.side);
+      if (face < 0) return visit(part);
       if (!leaf.touches(face)) return;
-      visit(leaf.shape == TreeShape::Box ? part : Side{part.block, part.cell, side_with(type, leaf.corners_on(face))});
+      visit(is_box ? part : Side{part.block, part.cell, side_with(type, leaf.corners_on(face))});
     });
   }
 
@@ -150,15 +150,21 @@ class LeafMesh {
     }
   }
 
-  /// A set that is not that of its sides gets the nodes between its own.
+  /// A set that is not that of its sides gets the nodes between its own; if these are on the surface of the body, so
+  /// are the new ones: an edge from one side of a thin body to the other leads through its inside.
   void add_node_sets() {
     const SetPairs of_sides = sets_of_sides(before_);
+    std::vector<char> on_surface(at(mesh_.nodes()), 0);
+    for (const Side& side : outside_)
+      for (const int node : nodes_of_side(mesh_, side)) on_surface[at(node)] = 1;
     for (NodeSet& set : mesh_.node_sets) {
       std::vector<char> is_in(at(mesh_.nodes()), 0);
       for (const int node : set.nodes) is_in[at(node)] = 1;
+      const bool is_outside =
+          std::all_of(set.nodes.begin(), set.nodes.end(), [&](int node) { return on_surface[at(node)] != 0; });
       for (int node = nodes_before_; node < mesh_.nodes(); ++node) {
         const auto [a, b] = tree_.middles().origin(node);
-        if (is_in[at(a)] == 0 || is_in[at(b)] == 0) continue;
+        if (is_in[at(a)] == 0 || is_in[at(b)] == 0 || (is_outside && on_surface[at(node)] == 0)) continue;
         is_in[at(node)] = 1;
         set.nodes.push_back(node);
       }
@@ -169,8 +175,7 @@ class LeafMesh {
   /// Sides that one cell alone has are on the boundary, or hang.
   void find_hanging_sides() {
     std::set<std::array<int, 3>> outside;
-    for (const Side& side : boundary_sides(before_))
-      for_each_part(side, [&](const Side& part) { outside.insert({part.block, part.cell, part.side}); });
+    for (const Side& side : outside_) outside.insert({side.block, side.cell, side.side});
     for (const Side& side : boundary_sides(mesh_))
       if (outside.count({side.block, side.cell, side.side}) == 0) mesh_.hanging_sides.push_back(side);
   }
@@ -180,6 +185,7 @@ class LeafMesh {
   const Mesh before_;
   int nodes_before_;
   int order_;
+  std::vector<Side> outside_;                 ///< parts of the sides that are the surface of the body
   std::vector<std::vector<int>> first_leaf_;  ///< by block and cell of the mesh before: its first leaf
 };
 
@@ -227,6 +233,9 @@ SplitTree grown(Mesh& mesh, int order, const Growth& grow) {
   const int nodes_before = mesh.nodes();
   CellTree tree(mesh);
   grow(tree);
+  if (const int bounded = tree.bounded(); bounded > 0)
+    mesh.notes.push_back(fmt::format("{} cell{} beside prisms or pyramids {} as fine as asked: those are not split",
+                                     bounded, bounded == 1 ? "" : "s", bounded == 1 ? "is not" : "are not"));
   LeafMesh(mesh, tree, nodes_before, order).make();
   SplitTree trees = tree.trees();
   if (curved && (order == 1 || bubbles)) trees = without_unused(mesh, trees);

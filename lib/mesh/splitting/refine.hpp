@@ -26,8 +26,9 @@ constexpr long long most_refined_cells = 10'000'000;
 /// Quadrilaterals and hexahedra are halved along their axes. Neighbours differ by one halving at most: their edges have
 /// at most one corner of others, in the middle. A cell that is split for that reason alone is halved in all directions
 /// if all regions are. The nodes of finer cells on edges and faces of coarser ones hang there: they get a Tie, which
-/// makes displacements continuous. Triangles and tetrahedra are bisected, D times for a halving of all edges, see
-/// MarkedEdges; their neighbours are bisected until none has a node of others, so that nothing hangs.
+/// makes displacements continuous. Triangles and tetrahedra are bisected, D times for a level, which divides their
+/// volume as halved edges would, see MarkedEdges; their neighbours are bisected until none has a node of others, so
+/// that nothing hangs.
 ///
 /// Side sets have the parts of their sides. A node set that has the nodes of the side set of its name keeps having
 /// them; another one gets the new nodes in the middle of two nodes of the set.

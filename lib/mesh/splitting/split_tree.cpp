@@ -27,7 +27,12 @@ int SplitTree::leaf_at(const RootPoint& point) const {
   int k = root(point.block, point.root);
   while (!is_leaf(k)) {
     const int child = cell(k).first_child;
-    k = cell(child).depth(point.at) >= cell(child + 1).depth(point.at) ? child : child + 1;
+    if (cell(k).shape == TreeShape::Box) {
+      const auto axis = static_cast<std::size_t>(axis_of(k));
+      k = point.at[axis] <= cell(child).upper[axis] ? child : child + 1;
+    } else {
+      k = cell(child).depth(point.at) >= cell(child + 1).depth(point.at) ? child : child + 1;
+    }
   }
   return k;
 }

@@ -36,7 +36,7 @@ class SplitTree {
   int around(const TreeCell& other) const;
   /// Returns a leaf that contains a point; on a border of several one of them.
   int leaf_at(const RootPoint& point) const;
-  /// Returns all leaves that contain a point, or end within `slack` of it.
+  /// Returns all leaves that contain a point, or whose TreeCell::depth() there is at least -slack.
   std::vector<int> leaves_at(const RootPoint& point, double slack) const;
   CellSplits splits() const;
   /// Returns the same trees with other numbers of corners.

@@ -104,8 +104,12 @@ double TreeCell::depth(const RootPlace& point) const {
 
 bool TreeCell::contains(const TreeCell& other) const {
   if (shape == TreeShape::Whole) return true;
-  for (int corner = 0; corner < other.count; ++corner)
-    if (depth(other.place(corner)) < 0) return false;
+  if (shape == TreeShape::Simplex) {
+    const int further = other.halvings[0] - halvings[0];
+    return further >= 0 && other.path >> further == path;
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    if (other.lower[k] < lower[k] || other.upper[k] > upper[k]) return false;
   return true;
 }
 
@@ -125,6 +129,7 @@ std::vector<int> TreeCell::corners_on(int face) const {
 }
 
 bool TreeCell::touches(int face) const {
+  if (shape == TreeShape::Whole) return false;
   if (shape == TreeShape::Simplex) return corners_on(face).size() == at(dimension());
   return face % 2 == 0 ? lower[at(face / 2)] == -1 : upper[at(face / 2)] == 1;
 }

@@ -58,8 +58,8 @@ struct TreeCell {
   RootPlace place(int corner) const;
   /// Returns the mean of the places of some corners of a box or a simplex.
   RootPlace middle_place(const std::vector<int>& some) const;
-  /// Returns the least distance of a point from the faces of a box, the least share of a corner of a simplex in it, and
-  /// 0 for others; negative outside.
+  /// Returns the least distance of a point from the faces of a box, in the coordinates of its root, the least share of
+  /// a corner of a simplex in it, and 0 for others; negative outside.
   double depth(const RootPlace& point) const;
   /// Returns whether another part of the same cell of the mesh lies in this one.
   bool contains(const TreeCell& other) const;
@@ -76,6 +76,9 @@ struct TreeCell {
 
 /// Returns the barycentric coordinates of a point of a cell of the mesh that is a simplex of D dimensions.
 std::array<double, 4> barycentric(const RootPlace& point, int dimension);
+
+/// The most bisections of a simplex, so that its path goes into two numbers of 31 bits.
+constexpr int most_bisections = 62;
 
 /// Returns the part of a simplex at one end of its refinement edge, 0 or 1, whose middle is that node.
 TreeCell simplex_part(const TreeCell& whole, int end, int middle);

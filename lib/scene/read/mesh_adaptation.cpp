@@ -29,7 +29,7 @@ const Options<AdaptOptions>& options() {
           .add("Part", &AdaptOptions::part,
                "Largest change of the traction over a face, as part of the law's strength: a face is at most this part "
                "of the local cohesive zone. Larger ones are halved [-].",
-               between(1e-3, 1.0))
+               between(least_adapt_part, 1.0))
           .add("Strain", &AdaptOptions::strain,
                "Largest jump of the displacement gradient at the corners of a cell, between the cell and the mean of "
                "those around the corner [-]. With 0, cells are split for the faces alone.",
@@ -48,6 +48,15 @@ const Options<AdaptOptions>& options() {
                "joined again [-].",
                at_least(0));
   return all;
+}
+
+/// Returns whether a side of the pair's surfaces is a triangle.
+bool has_triangles(const Mesh& mesh, const SceneInteraction& interaction) {
+  for (const std::string& surface : {interaction.side_set, interaction.primary})
+    for (const Side& side : side_set_named(mesh, surface).sides)
+      if (side_nodes(corner_type(mesh.blocks[static_cast<std::size_t>(side.block)].type), side.side).size() == 3)
+        return true;
+  return false;
 }
 
 /// Returns whether a side of the pair's surfaces has no nodes but its corners.
@@ -108,6 +117,14 @@ void check_adaptation(const AdaptOptions& options, const std::vector<SceneIntera
     if (block.cells() > 0 && tree_shape(cell_info(block.type).shape) == TreeShape::Simplex &&
         !options.directions.empty())
       throw InputError("Mesh/Adapt/Directions: triangles and tetrahedra have no axes; choose \"all\"");
+  for (const SceneInteraction& interaction : interactions)
+    if (mesh.dimension == 3 && interaction.is_pair() && interaction.friction.type != FrictionType::None &&
+        has_triangles(mesh, interaction))
+      throw InputError(
+          fmt::format("{}/Friction: what slides on triangles does not go to another mesh, and Mesh/Adapt changes the "
+                      "mesh; set Type "
+                      "to None, Levels to 0, or use hexahedra",
+                      interaction.node.path()));
   if (mesh.dimension == 2) return;  // the ends of sides are corners of their neighbours, whatever their sizes
   for (const SceneInteraction& interaction : interactions)
     if (interaction.is_pair() && interaction.smoothing != Smoothing::None && has_linear_sides(mesh, interaction))

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
 #include "study/common/sequence_error.hpp"
 #include "study/common/tuning.hpp"
 
@@ -89,7 +90,13 @@ void judge_mesh(const AccuracyQuestion& question, AccuracySettings settings, con
     }
     settings = with_finer_mesh(settings);
     const std::vector<double> before = result.runs.back().values;
-    const AccuracyRun run = carry_out(settings);
+    AccuracyRun run;
+    try {
+      run = carry_out(settings);
+    } catch (const InputError& error) {  // a mesh with too many cells, for example
+      result.limit = fmt::format("a finer mesh cannot be made: {}", error.what());
+      return;
+    }
     result.runs.push_back(run);
     if (run.outcome == AccuracyOutcome::Interrupted) {
       result.status = AccuracyStatus::Interrupted;
@@ -99,6 +106,7 @@ void judge_mesh(const AccuracyQuestion& question, AccuracySettings settings, con
       result.limit = "the run on a finer mesh: " + run.problem;
       return;
     }
+    result.mesh_is_judged = true;
     double change = 0;
     for (std::size_t q = 0; q < result.achieved.size(); ++q) {
       AchievedAccuracy& own = result.achieved[q];

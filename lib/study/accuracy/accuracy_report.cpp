@@ -25,8 +25,7 @@ struct Scope {
   std::vector<std::string> not_covered;
 };
 Scope scope_of(const AccuracyResult& result) {
-  const bool with_mesh = !result.runs.empty() && result.runs.back().settings.mesh.levels > 0;
-  if (with_mesh)
+  if (result.mesh_is_judged)
     return {"time steps, the tolerance of Newton's method and the mesh at the front",
             {"coarse cells", "surface points", "cutoffs"}};
   return {"time steps and the tolerance of Newton's method, not the mesh", {"mesh", "surface points", "cutoffs"}};
@@ -75,7 +74,7 @@ std::string accuracy_text(const AccuracyQuestion& question, const AccuracyResult
   if (result.status == AccuracyStatus::Interrupted) return "";
   std::string text;
   const Scope scope = scope_of(result);
-  const bool with_mesh = result.runs.back().settings.mesh.levels > 0;
+  const bool with_mesh = result.mesh_is_judged;
   if (result.status == AccuracyStatus::Kept)
     text = fmt::format("The accuracy {} is kept by the time steps{}; the {} were not examined:\n",
                        percent(question.accuracy), with_mesh ? " and the mesh at the front" : "",
@@ -115,7 +114,7 @@ void add_accuracy(const AccuracyQuestion& question, const AccuracyResult& result
     json["quantities"].push_back({{"quantity", question.quantities[q].text()},
                                   {"value", own.value},
                                   {"error", own.error},  // an unknown one, which is infinite, is written as null
-                                  {"error_by_mesh", own.mesh_error},
+                                  {"error_by_mesh", result.mesh_is_judged ? Json(own.mesh_error) : Json()},
                                   {"kept", own.error <= question.accuracy},
                                   {"known_by", own.reason}});
   }
@@ -131,11 +130,17 @@ bool holds_accuracy(const std::string& folder, const Teuchos::ParameterList& sce
   try {
     if (!std::filesystem::exists(folder + "/summary.json") || !read_summary(folder).contains("accuracy")) return false;
     Teuchos::ParameterList found = read_scene_file(folder + "/effective.xml"), now = scene;
+    const auto follows = [](const Teuchos::ParameterList& list) {
+      return list.isSublist("Mesh") && list.sublist("Mesh").isSublist("Adapt") &&
+             list.sublist("Mesh").sublist("Adapt").isType<int>("Levels") &&
+             list.sublist("Mesh").sublist("Adapt").get<int>("Levels") > 0;
+    };
+    const bool both_follow = follows(found) && follows(now);
     for (Teuchos::ParameterList* list : {&found, &now}) {
       Teuchos::ParameterList& control = list->sublist("Time Integrator").sublist("Time Step Control");
       control.set<std::string>("Type", "Fixed");
       control.remove("Adaptive", false);
-      if (list->isSublist("Mesh") && list->sublist("Mesh").isSublist("Adapt"))
+      if (both_follow)
         for (const char* name : {"Levels", "Part", "Strain"})
           list->sublist("Mesh").sublist("Adapt").remove(name, false);
     }

@@ -66,7 +66,8 @@ AccuracySettings refined(const AccuracySettings& settings, double part) {
 }
 
 bool has_finer_mesh(const AccuracySettings& settings) {
-  return settings.mesh.levels > 0 && settings.mesh.levels < most_adapt_levels;
+  return settings.mesh.levels > 0 && settings.mesh.levels < most_adapt_levels &&
+         settings.mesh.part / 2 >= least_adapt_part;
 }
 
 AccuracySettings with_finer_mesh(const AccuracySettings& settings) {

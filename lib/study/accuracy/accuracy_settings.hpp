@@ -34,7 +34,8 @@ AccuracySettings first_settings(const Simulation& simulation, double accuracy);
 /// because the errors of all steps add up.
 AccuracySettings refined(const AccuracySettings& settings, double part);
 
-/// Returns whether a finer mesh can be asked for: it follows the front, and has fewer levels than a scene may have.
+/// Returns whether a finer mesh can be asked for: it follows the front, and neither Levels nor Part would leave their
+/// range.
 bool has_finer_mesh(const AccuracySettings& settings);
 
 /// Returns the settings with which a mesh that follows the front has cells of half the size there, and inside the

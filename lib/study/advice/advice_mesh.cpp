@@ -110,8 +110,9 @@ void add_bounds(const List& adapt, MeshLevels& meshes) {
   const int halvings = adapt.get<int>("Levels");
   if (halvings == 0) return;
   const auto bounds = [&](double size) {
-    return Assignments{fmt::format("Mesh/Adapt/Part={:.6g}", std::min(1.0, adapt.get<double>("Part") * size)),
-                       fmt::format("Mesh/Adapt/Strain={:.6g}", adapt.get<double>("Strain") * size)};
+    return Assignments{
+        fmt::format("Mesh/Adapt/Part={:.6g}", std::clamp(adapt.get<double>("Part") * size, least_adapt_part, 1.0)),
+        fmt::format("Mesh/Adapt/Strain={:.6g}", adapt.get<double>("Strain") * size)};
   };
   if (meshes.levels.size() == 1) {
     meshes.note.clear();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "fem/cell_info.hpp"
 #include "mesh/cell_order.hpp"
@@ -48,15 +50,15 @@ bool is_pure(const std::string& kind) { return kind.find(' ') == std::string::np
 TEST(RefineSimplicesTest, CellsFillTheBodyOnceAndAreSound) {
   for (const std::string& kind : kinds)
     for (const int order : {1, 2})
-      for (const int levels : {1, 2}) {
+      for (const auto& [levels, end] : {std::pair(1, 0.6), std::pair(2, 0.6), std::pair(1, 99.0)}) {
         SCOPED_TRACE(kind + ", order " + std::to_string(order) + ", levels " + std::to_string(levels));
         Mesh mesh = grid(kind, order);
         const int cells = mesh.cells();
-        refine(mesh, {corner(mesh.dimension, levels)}, order);
+        refine(mesh, {corner(mesh.dimension, levels, end)}, order);
         EXPECT_GT(mesh.cells(), cells);
         check_cells(mesh);
         require_one_order(mesh);
-        EXPECT_NEAR(test::volume(mesh), mesh.dimension == 2 ? 8 : 16, 1e-12);
+        EXPECT_NEAR(test::volume(mesh), mesh.dimension == 2 ? 8 : 16, 1e-11);
         for (const int part : connected_parts(mesh)) EXPECT_EQ(part, connected_parts(mesh).front());
         std::set<std::array<int, 3>> alone, in_set;
         for (const Side& side : boundary_sides(mesh)) alone.insert({side.block, side.cell, side.side});
@@ -138,14 +140,28 @@ TEST(RefineSimplicesTest, PyramidsPrismsAndTheirNeighboursStay) {
     EXPECT_GT(count(ReferenceShape::Hexahedron), hexahedra);
     EXPECT_EQ(count(ReferenceShape::Tetrahedron) > tetrahedra, tetrahedra > 0);
     check_cells(mesh);
+    ASSERT_EQ(mesh.notes.size(), 1U);
+    test::expect_contains(mesh.notes[0], "are not as fine as asked: those are not split");
+    // Their number is no reason to forecast more cells than there will be.
+    Mesh deep = grid(kind, 1);
+    EXPECT_EQ(test::refusal([&] {
+                RefinedRegion beside;
+                beside.levels = 9;
+                beside.lower = {0.1, 0.5, 0.5};
+                beside.upper = {0.4, 1.5, 1.5};
+                refine(deep, {{"beside", beside}}, 1);
+              }),
+              "");
   }
 }
 
 TEST(RefineSimplicesTest, SplitsAreValues) {
   for (const std::string& kind : kinds)
-    for (const int order : {1, 2}) {
-      Mesh one = grid(kind, order), other = one, third = one;
-      const CellSplits splits = refine(one, {corner(one.dimension, 2)}, order).splits();
+    for (const auto& [order, end, bubbles] :
+         {std::tuple(1, 0.6, false), std::tuple(2, 0.6, false), std::tuple(1, 99.0, false), std::tuple(2, 2.8, true)}) {
+      if (bubbles && !is_pure(kind)) continue;
+      Mesh one = grid(kind, order, bubbles), other = one, third = one;
+      const CellSplits splits = refine(one, {corner(one.dimension, 2, end)}, order).splits();
       const CellSplits read = CellSplits::of_text(splits.text());
       EXPECT_TRUE(read == splits);
       EXPECT_TRUE(split(other, read, order).splits() == splits);
@@ -188,12 +204,38 @@ TEST(RefineSimplicesTest, NodeSetsKeepWhatIsBetweenTheirNodes) {
   }
 }
 
+// A corner cell of triangles has all its nodes on the surface, but not the middle of the edge across.
+TEST(RefineSimplicesTest, NodeSetsOnTheSurfaceStayThere) {
+  for (const std::string& kind : {std::string("triangles"), std::string("tetrahedra")}) {
+    Mesh mesh = grid(kind, 1);
+    NodeSet own{"own", {}};
+    std::set<int> surface;
+    for (const Side& side : boundary_sides(mesh))
+      for (const int node : nodes_of_side(mesh, side)) surface.insert(node);
+    own.nodes.assign(surface.begin(), surface.end());
+    mesh.node_sets.push_back(own);
+    refine(mesh, {corner(mesh.dimension, 2, 99)}, 1);
+    surface.clear();
+    for (const Side& side : boundary_sides(mesh))
+      for (const int node : nodes_of_side(mesh, side)) surface.insert(node);
+    const NodeSet& found = mesh.node_sets.back();
+    EXPECT_EQ(std::set<int>(found.nodes.begin(), found.nodes.end()), surface);
+  }
+}
+
 TEST(RefineSimplicesTest, WhatCannotBeIsRefused) {
   Mesh triangles = grid("triangles", 1);
   NamedRegion along = corner(2, 1);
   along.region.directions = "x";
   EXPECT_EQ(test::refusal([&] { refine(triangles, {along}, 1); }),
             "corner: triangles and tetrahedra have no axes; leave Directions out");
+  Mesh deep = grid("triangles", 1);
+  NamedRegion point = corner(2, 30, 1e-9);
+  EXPECT_EQ(test::refusal([&] { refine(deep, {point}, 1); }), "");  // 60 bisections of the cells at a point
+  Mesh deeper = grid("tetrahedra", 1);
+  NamedRegion far = corner(3, 30, 1e-9);
+  EXPECT_EQ(test::refusal([&] { refine(deeper, {far}, 1); }),
+            "triangles and tetrahedra are bisected at most 62 times; use fewer levels");
   Mesh prisms = grid("prisms", 1);
   EXPECT_EQ(test::refusal([&] { refine(prisms, {corner(3, 1)}, 1); }),
             "prisms and pyramids are not refined; give a mesh of them its size where it is made, or split them into "

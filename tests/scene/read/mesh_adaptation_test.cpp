@@ -50,7 +50,6 @@ TEST(MeshAdaptationTest, WhatDoesNotGoOnIsRefused) {
   };
   expect(block(on, ""), "nothing tells where cells are split");
   expect(block(on, word("Contact Element", "Q1CH")), "choose Q1C4");
-  expect(block(on, " ") + list("Stages", list("A", "") + list("B", "")), "does not go with Stages");
   EXPECT_NE(refusal(block(count("Levels", 13), " ")), "");
   EXPECT_EQ(refusal(block(on + number("Strain", 0.1), "")), "");
 }

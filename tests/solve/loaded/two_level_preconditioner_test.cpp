@@ -34,12 +34,13 @@ using test::numbers;
 using test::word;
 using test::world;
 
-std::string box(int dimension, int cells, int order = 2) {
+std::string box(int dimension, int cells, int order = 2, const std::string& more = "") {
   const std::vector<int> divisions(static_cast<std::size_t>(dimension), cells);
   return list("Mesh", word("Type", "Box") + count("Cell Order", order) +
                           list("Box", count("Dimension", dimension) +
                                           numbers("Lengths", std::vector<double>(divisions.size(), 2.0)) +
-                                          test::counts("Divisions", divisions)));
+                                          test::counts("Divisions", divisions)) +
+                          more);
 }
 
 std::string solver(const std::string& preconditioner, const std::string& op = "Automatic") {
@@ -55,11 +56,12 @@ struct Block {
   std::string wall{};
   std::string more{};
   int order = 2;
+  std::string mesh{};  ///< more of the list "Mesh"
 
   std::string text() const {
     std::vector<double> below(static_cast<std::size_t>(dimension), 0.0);
     below.back() = -0.3;
-    return box(dimension, cells, order) +
+    return box(dimension, cells, order, mesh) +
            list("Materials", list("Rubber", number("Density", 0.7) + number("Mass Damping", 0.3) +
                                                 number("Stiffness Damping", 0.2) + material)) +
            list("Interactions",
@@ -155,6 +157,33 @@ TEST(CoarseMatrixTest, IsTheGalerkinProductWithContactSidesOfFourthOrder) {
     const std::string wall = word("Contact Element", "Q2C4") + numbers("Point", below);
     expect_galerkin_product_of({dimension, 2, "", wall, solver("Two-Level")});
   }
+}
+
+/// Cells in a corner of the bottom are halved: their corners in the middle of coarser edges and faces follow those.
+std::string finer_corner(int dimension) {
+  return list("Refine",
+              list("Corner", numbers("Upper", std::vector<double>(static_cast<std::size_t>(dimension), 0.9))));
+}
+
+TEST(CoarseMatrixTest, IsTheGalerkinProductWhereNodesHang) {
+  for (const int dimension : {2, 3}) {
+    Block block{dimension, 3, "", "", solver("Two-Level")};
+    block.mesh = finer_corner(dimension);
+    expect_galerkin_product_of(block);
+  }
+}
+
+// The iterations of a mesh with hanging nodes are not many more than those of a mesh without.
+TEST(TwoLevelTest, HangingNodesCostFewIterations) {
+  const auto iterations = [](const std::string& mesh, int cells) {
+    Block block{3, cells, "", "", solver("Two-Level", "Matrix-Free")};
+    block.mesh = mesh;
+    const auto s = block.simulation();
+    const StepResult step = s->integrator().step(0.1);
+    EXPECT_TRUE(step.converged);
+    return static_cast<double>(step.linear_iterations) / step.newton_iterations;
+  };
+  EXPECT_LT(iterations(finer_corner(3), 4), 1.3 * iterations("", 4));
 }
 
 TEST(CoarseMatrixTest, IsTheGalerkinProductWithBranches) {
