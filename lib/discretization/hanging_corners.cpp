@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "base/agreement.hpp"
+
 namespace ixos {
 namespace {
 
@@ -65,12 +67,15 @@ std::map<int, std::vector<int>> hanging_corners(const LocalMesh& mesh, const Dof
   std::vector<double> decision(flag.size(), 0.0);
   for (const auto& [node, corners] : result) decision[at(node) * d] = 1;
   space.update_ghosts(decision.data());
-  for (int node = 0; node < mesh.ties.first(); ++node) {
-    if (corner[at(node)] == 0) continue;
-    const bool is_tied = decision[at(node) * d] > 0.5;
-    if (!is_tied) result.erase(node);
-    if (is_tied && result.count(node) == 0) throw std::logic_error("a rank lacks the nodes of a coarser edge or face");
-  }
+  together<std::logic_error>(space.comm(), [&] {
+    for (int node = 0; node < mesh.ties.first(); ++node) {
+      if (corner[at(node)] == 0) continue;
+      const bool is_tied = decision[at(node) * d] > 0.5;
+      if (!is_tied) result.erase(node);
+      if (is_tied && result.count(node) == 0)
+        throw std::logic_error("a rank lacks the nodes of a coarser edge or face");
+    }
+  });
   return result;
 }
 

@@ -136,7 +136,7 @@ std::shared_ptr<Simulation> MeshFollower::refined() {
   }
   const CellSplits finer = wished_splits(mesh, signs, options, simulation_.refined_places(), true),
                    present = mesh.tree().splits();
-  if (finer == present || !finer.contain(present)) {
+  if (finer == present) {
     stay_coarse_.insert(coarse.begin(), coarse.end());
     problem_ = fmt::format(
         "at t = {:.6g} T0 faces at the front stay too coarse: prisms, pyramids and the cells beside them are not split",
@@ -145,7 +145,10 @@ std::shared_ptr<Simulation> MeshFollower::refined() {
   }
   std::shared_ptr<Simulation> next = with(finer, "coarse");
   if (!next) return nullptr;
-  changes_.energy.add_change(energies_of(simulation_), energies_of(*next));
+  const Energies before = energies_of(simulation_), after = energies_of(*next);
+  // Beside prisms and pyramids some cells may have to be joined, so that others can be split.
+  if (!finer.contain(present)) changes_.coarsening += std::abs(after.total() - before.total());
+  changes_.energy.add_change(before, after);
   ++changes_.count;
   ++changes_.repeated;
   ++repeats_;

@@ -65,7 +65,7 @@ void RunFiles::go_on_from(RunFiles& before, bool on_other_mesh) {
   }
   exchanges_ = before.exchanges_ + 1;
   const bool goes_on = simulation_.stage() > 0 && fields_ && before.fields_ && fields_->has_fields_of(*before.fields_);
-  frame_files_ = before.frame_files_ + (goes_on || !before.fields_ ? 0 : 1);
+  frame_files_ = before.frame_files_ + (goes_on || !before.frames_begun_ ? 0 : 1);
   name_frames();
   on_first_rank(simulation_.model().space().comm(), [&] { write_scene_file(simulation_.parameters(), scene_path()); });
   if (!goes_on && fields_) begin_frames();
@@ -99,7 +99,8 @@ void RunFiles::open_folder(bool goes_on) {
 }
 
 void RunFiles::create() {
-  if (exchanges_ == 0 && frame_files_ > 0) {  // a restart in another folder begins with fields.e
+  if (frame_files_ > 0 &&
+      (exchanges_ == 0 || simulation_.adaptation().on())) {  // a restart in another folder begins with fields.e
     frame_files_ = 0;
     name_frames();
   }

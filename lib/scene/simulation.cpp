@@ -255,7 +255,8 @@ Table Simulation::chosen_table() const {
 }
 
 std::vector<int> Simulation::partition(const Mesh& mesh, int ranks, Inertia inertia) const {
-  if (ranks == 1) return partition_nodes(mesh, ranks);
+  // A restart in a later stage, on the mesh of its checkpoint, has to find the division that an earlier stage chose.
+  if (ranks == 1 || (stages().any() && adaptation_.on())) return partition_nodes(mesh, ranks);
   std::vector<std::string> contact;
   for (const SceneInteraction& interaction : interactions_) contact.push_back(interaction.side_set);
   const FacingNodes facing = facing_nodes(interactions_, mesh);

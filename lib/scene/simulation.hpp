@@ -69,8 +69,9 @@ class Simulation {
   std::size_t stage() const { return begins_.size(); }
   const std::vector<double>& stage_begins() const { return begins_; }
   bool has_next_stage() const { return stage() + 1 < stages().count(); }
-  /// Builds the next stage, which begins at that time [T0], without a state: hand_over() or a checkpoint gives it that
-  /// of this one. Throws std::logic_error if there is none; InputError as the constructor does.
+  /// Builds the next stage, which begins at that time [T0], on the mesh and the partition of this one, without a state:
+  /// hand_over() or a checkpoint gives it that of this one. Throws std::logic_error if there is none; InputError as the
+  /// constructor does.
   std::unique_ptr<Simulation> next_stage(double begin) const;
   /// Returns the time at which the last stage ends if each comes to its Final Time [T0].
   double planned_end() const { return planned_end_; }
@@ -85,8 +86,8 @@ class Simulation {
   const SplitMesh& split_mesh() const;
   /// Returns the places of the scene's list "Mesh/Refine".
   std::vector<NamedRegion> refined_places() const;
-  /// Builds the same scene on a mesh whose cells are split so, without a state: Integrator::initialize() or a
-  /// checkpoint gives it one. Throws InputError as the constructor does.
+  /// Builds the same scene on a mesh whose cells are split so, with nodes divided anew, without a state:
+  /// Integrator::initialize() or a checkpoint gives it one. Throws InputError as the constructor does.
   std::unique_ptr<Simulation> on_mesh(const CellSplits& splits) const;
   /// Returns what tells results of this scene's mesh from those of another one: mesh_fingerprint(), or that of the
   /// unsplit mesh if the mesh follows the front.

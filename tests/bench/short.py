@@ -25,6 +25,7 @@ RUNS = {
                          "Time Integrator/Time Step Control/Final Time=0.5"),
     "contact_quadrature.cpp": ("{build}/tests/contact_quadrature", "xml/strip.xml", "1"),
     "error_over_time.py": ("tests/bench/error_over_time.py", "--output", "{folder}/picture.png"),
+    "error_of_following.py": ("tests/bench/error_of_following.py", "--output", "{folder}/picture.png"),
     "error_over_unknowns.py": ("tests/bench/error_over_unknowns.py", "--output", "{folder}/picture.png"),
     "kernels_benchmark.cpp": ("{build}/tests/kernels_benchmark", "--benchmark_min_time=0.001"),
     "product_times.cpp": ("{build}/tests/product_times", "4", "2", "Hex8", "Hex27", "Tet10", "Tet15"),

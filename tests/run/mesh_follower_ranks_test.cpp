@@ -19,9 +19,9 @@ struct Ends {
 };
 
 Ends run_strip(const Comm& comm, const std::string& folder) {
-  std::string scene = strip("Average Vector Field", adapt(3, number("Part", 0.125)), 0.05, 2);
+  std::string scene = strip("Average Vector Field", adapt(2, number("Part", 0.05)), 0.05, 2);
   const std::string coarse = counts("Divisions", {12, 1});
-  scene.replace(scene.find(coarse), coarse.size(), counts("Divisions", {24, 2}));
+  scene.replace(scene.find(coarse), coarse.size(), counts("Divisions", {96, 8}));
   Simulation simulation(test::scene(scene), comm);
   RunOptions options;
   options.folder = folder;

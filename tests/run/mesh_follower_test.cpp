@@ -371,6 +371,18 @@ std::string staged_strip(const std::string& mesh, const std::string& output) {
                             list("On", on + stage("Average Vector Field", 0.025, 1.6)));
 }
 
+// A restart divides the mesh as the run did that came from another stage, and another folder begins with fields.e.
+TEST_F(MeshFollowerTest, StagesOfAnotherKindGoOnBitForBit) {
+  std::string scene = staged_strip(adapt(2), checkpoints(6, 100) + count("Fields Interval", 5));
+  const std::string last = word("Type", "Average Vector Field") + steps(0.025, 1.6);
+  scene.replace(scene.rfind(last), last.size(), word("Type", "Central Difference") + steps(5e-4, 0.02));
+  const RunResult whole = expect_goes_on(scene, {24, 30, 60});
+  EXPECT_GT(whole.mesh_changes.count, 1);
+  run_scene(scene, "elsewhere", checkpoint("whole", 30));
+  world()->barrier();
+  EXPECT_TRUE(fs::exists(folder("elsewhere") + "/fields.e" + (world()->getSize() == 1 ? "" : ".2.0")));
+}
+
 TEST_F(MeshFollowerTest, StagesGoOnWithTheMesh) {
   const RunResult whole =
       expect_goes_on(staged_strip(adapt(2), checkpoints(6, 100) + count("Fields Interval", 5)), {12, 18, 24, 30, 60});

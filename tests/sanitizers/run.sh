@@ -11,7 +11,7 @@ targets="unit_tests ixos_sanitized_$part"
 case $part in
   headers) targets=sanitized_tests ;;
   bodies) tests='base|fem|guide|interaction|material|mesh|meshes|model|solve|term' ;;
-  steps) tests='adapt|checkpoint|costs|driver|hdf5_fields|restart|restart_obstacles|run|solve|time' ;;
+  steps) tests='adapt|checkpoint|costs|driver|hdf5_fields|mesh_follower_ranks|restart|restart_obstacles|run|solve|time' ;;
   scenes) tests='base|corpus|driver|guide|io|scene|study|study_driver|units' ;;
   *) echo "tests/sanitizers/run.sh: $part is none of headers, bodies, steps, scenes" >&2 && exit 2 ;;
 esac

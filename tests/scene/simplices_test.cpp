@@ -119,9 +119,10 @@ TEST(SimplexSceneTest, WhatTheyDoNotHaveIsRefused) {
                   "only quadrilaterals and hexahedra have enriched sides");
   expect_contains(refusal(scene(2, "Newmark", "", word("Contact Element", "Q2C4")), plate()),
                   "only quadrilaterals and hexahedra have enriched sides");
-  expect_contains(
-      refusal(scene(1, "Newmark", "", "", list("Refine", list("Low", numbers("Upper", {9, 0.5})))), plate()),
-      "only quadrilaterals and hexahedra are refined");
+  expect_contains(refusal(scene(1, "Newmark", "", "",
+                                list("Refine", list("Low", numbers("Upper", {9, 0.5}) + word("Directions", "x")))),
+                          plate()),
+                  "Mesh/Refine/Low: triangles and tetrahedra have no axes; leave Directions out");
   expect_contains(
       refusal(scene(1, "Newmark", word("Element Formulation", "Mean Dilatation")), plate()),
       "the strain of Tri3 cells is constant, so that Mean Dilatation does not change them; use Cell Order 2");

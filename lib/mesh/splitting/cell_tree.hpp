@@ -56,8 +56,8 @@ class CellTree {
 
   /// Keeps split(), as far as that can be, from lowering the levels that cells have in other trees of the same cells.
   void keep_levels(const SplitTree& trees);
-  /// Returns the cells of the mesh of which split() did not split all parts that it was asked to: prisms, pyramids, and
-  /// those beside them.
+  /// Returns the number of cells of the mesh of which split() did not split all parts that it was asked to: those
+  /// beside and near prisms and pyramids.
   int bounded() const { return static_cast<int>(std::count(bounded_.begin(), bounded_.end(), 1)); }
 
   /// Calls visit(leaf) for the leaves of a cell of the mesh, in order.

@@ -234,8 +234,9 @@ SplitTree grown(Mesh& mesh, int order, const Growth& grow) {
   CellTree tree(mesh);
   grow(tree);
   if (const int bounded = tree.bounded(); bounded > 0)
-    mesh.notes.push_back(fmt::format("{} cell{} beside prisms or pyramids {} as fine as asked: those are not split",
-                                     bounded, bounded == 1 ? "" : "s", bounded == 1 ? "is not" : "are not"));
+    mesh.notes.push_back(
+        fmt::format("{} cell{} beside or near prisms or pyramids {} as fine as asked: those are not split", bounded,
+                    bounded == 1 ? "" : "s", bounded == 1 ? "is not" : "are not"));
   LeafMesh(mesh, tree, nodes_before, order).make();
   SplitTree trees = tree.trees();
   if (curved && (order == 1 || bubbles)) trees = without_unused(mesh, trees);
@@ -260,6 +261,8 @@ void refuse_far_too_many(const Mesh& mesh, const RegionSearch& region, const std
 
 }  // namespace
 
+bool has_simplices(const Mesh& mesh) { return has_cells(mesh, TreeShape::Simplex); }
+
 SplitTree refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order) {
   check(mesh);
   std::vector<RegionSearch> searches;
@@ -273,7 +276,7 @@ SplitTree refine(Mesh& mesh, const std::vector<NamedRegion>& regions, int order)
     }
   }
   for (std::size_t r = 0; r < searches.size(); ++r)
-    if (!searches[r].splits_all() && has_cells(mesh, TreeShape::Simplex))
+    if (!searches[r].splits_all() && has_simplices(mesh))
       throw InputError(names[r] + ": triangles and tetrahedra have no axes; leave Directions out");
   for (std::size_t r = 0; r < searches.size(); ++r) refuse_far_too_many(mesh, searches[r], names[r]);
   return grown(mesh, order, [&](CellTree& tree) { tree.split(searches, names, most_refined_cells); });
@@ -303,6 +306,7 @@ void split(Mesh& mesh, const Splitting& splitting, int order) {
   } else {
     Mesh trial = mesh;
     splits = refine(trial, splitting.regions, order).splits();
+    mesh.notes = trial.notes;
   }
   *splitting.tree = split(mesh, splits, order);  // numbers that depend on the splits alone
 }

@@ -17,6 +17,9 @@ struct NamedRegion {
   RefinedRegion region;
 };
 
+/// Returns whether the mesh has triangles or tetrahedra.
+bool has_simplices(const Mesh& mesh);
+
 /// The most cells that refine() makes.
 constexpr long long most_refined_cells = 10'000'000;
 

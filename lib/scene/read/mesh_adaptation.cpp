@@ -4,11 +4,10 @@
 
 #include "adapt/front.hpp"
 #include "base/error.hpp"
-#include "fem/cell_info.hpp"
 #include "interaction/gap_law.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/selection.hpp"
-#include "mesh/splitting/tree_cell.hpp"
+#include "mesh/splitting/refine.hpp"
 #include "parameters/one_of.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
@@ -54,8 +53,7 @@ const Options<AdaptOptions>& options() {
 bool has_triangles(const Mesh& mesh, const SceneInteraction& interaction) {
   for (const std::string& surface : {interaction.side_set, interaction.primary})
     for (const Side& side : side_set_named(mesh, surface).sides)
-      if (side_nodes(corner_type(mesh.blocks[static_cast<std::size_t>(side.block)].type), side.side).size() == 3)
-        return true;
+      if (count_of(corners_of(mesh, side)) == 3) return true;
   return false;
 }
 
@@ -113,10 +111,8 @@ void check_adaptation(const AdaptOptions& options, const std::vector<SceneIntera
   if (!options.on()) return;
   if (mesh.dimension == 2 && options.directions.find('z') != std::string::npos)
     throw InputError("Mesh/Adapt/Directions: \"z\" is no axis of a mesh of two dimensions; \"x\" and \"y\" are");
-  for (const ElementBlock& block : mesh.blocks)
-    if (block.cells() > 0 && tree_shape(cell_info(block.type).shape) == TreeShape::Simplex &&
-        !options.directions.empty())
-      throw InputError("Mesh/Adapt/Directions: triangles and tetrahedra have no axes; choose \"all\"");
+  if (!options.directions.empty() && has_simplices(mesh))
+    throw InputError("Mesh/Adapt/Directions: triangles and tetrahedra have no axes; choose \"all\"");
   for (const SceneInteraction& interaction : interactions)
     if (mesh.dimension == 3 && interaction.is_pair() && interaction.friction.type != FrictionType::None &&
         has_triangles(mesh, interaction))

@@ -114,7 +114,7 @@ void judge_mesh(const AccuracyQuestion& question, AccuracySettings settings, con
       const bool is_error = question.quantities[q].is_error();
       own.mesh_error = is_error ? 0 : relative(std::abs(own.value - before[q]), own.value);
       own.error = (is_error ? std::abs(own.value) : by_steps[q].error) + own.mesh_error;
-      change = std::max(change, own.mesh_error);
+      if (own.error > question.accuracy) change = std::max(change, is_error ? own.error : own.mesh_error);
     }
     if (largest_error(result.achieved) <= question.accuracy) {
       result.status = AccuracyStatus::Kept;

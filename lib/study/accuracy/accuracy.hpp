@@ -34,8 +34,8 @@ struct AccuracyRun {
 struct AchievedAccuracy {
   double value = 0;
   double error = 0;       ///< relative to the exact value as the runs tell it; infinite if that may be 0
-  double mesh_error = 0;  ///< the part of it that is the mesh's, see AccuracyResult::mesh_is_judged
   std::string reason;     ///< how the error is known, see SequenceErrors::reason
+  double mesh_error = 0;  ///< the part of the error that is the mesh's, see AccuracyResult::mesh_is_judged
 };
 
 /// Kept: all quantities are within the accuracy in the last run. Missed: they are not. NoRun: no run gave values, or
@@ -46,8 +46,8 @@ struct AccuracyResult {
   AccuracyStatus status = AccuracyStatus::Interrupted;
   std::vector<AccuracyRun> runs;
   std::vector<AchievedAccuracy> achieved;  ///< by quantity; empty if it cannot be estimated
-  bool mesh_is_judged = false;             ///< a run on a finer mesh told the error of the mesh
   std::string limit;                       ///< what ended the refinement of an accuracy that is not kept
+  bool mesh_is_judged = false;             ///< a run on a finer mesh told the error of the mesh
 };
 
 /// Carries out a run with these settings, which leaves its results where the last run's belong.

@@ -59,6 +59,7 @@ class MovedInteraction::Action final : public TangentAction {
       }
       std::vector<double> seen(coarse.values(), 0.0);
       part.action->add_coarse(coarse, seen.data());
+      coarse.pattern().condense(seen.data());  // all blocks turn alike, those of tied nodes too
       term_.frame_.add_moved_matrix(part.pose, coarse.pattern(), seen, values);
     }
   }

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
+#include "support/simplices.hpp"
 
 namespace ixos {
 namespace {
@@ -85,15 +87,54 @@ TEST(MeshAdaptationTest, PairsInSpaceNeedSurfacesThatClose) {
                         "a surface that interacts with itself");
 }
 
-TEST(MeshAdaptationTest, OtherCellsAreRefused) {
-  Mesh triangle;
-  triangle.coordinates = {0, 0, 1, 0, 0, 1};
-  triangle.blocks = {{"body", CellType::Tri3, {0, 1, 2}}};
+TEST(MeshAdaptationTest, PrismsAloneAreRefused) {
+  Mesh prism;
+  prism.dimension = 3;
+  prism.coordinates = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1};
+  prism.blocks = {{"body", CellType::Prism6, {0, 1, 2, 3, 4, 5}}};
   const std::string scene = list("Mesh", list("Adapt", count("Levels", 1) + number("Strain", 0.1))) +
                             list("Materials", list("Rubber", number("Density", 1))) +
                             test::time_integrator("Newmark", 0.1, 1);
-  test::expect_contains(test::refusal([&] { Simulation(test::scene(scene), triangle, test::world()); }),
-                        "only quadrilaterals and hexahedra are refined");
+  test::expect_contains(test::refusal([&] { Simulation(test::scene(scene), prism, test::world()); }),
+                        "prisms and pyramids are not refined");
+}
+
+// Points of friction between surfaces of triangles do not move to another mesh yet.
+TEST(MeshAdaptationTest, FrictionOfPairsOfTrianglesIsRefused) {
+  const auto block = [](double lower) {
+    BoxShape shape;
+    shape.dimension = 3;
+    shape.lower[2] = lower;
+    shape.divisions = {1, 1, 1};
+    return test::split_cells(box(shape), "tetrahedra");
+  };
+  const Mesh upper = block(0.3);
+  Mesh both = block(-1);
+  both.blocks[0].name = "lower";
+  for (SideSet& set : both.side_sets) set.name = "lower_" + set.name;
+  both.node_sets.clear();
+  const int nodes = both.nodes();
+  both.coordinates.insert(both.coordinates.end(), upper.coordinates.begin(), upper.coordinates.end());
+  both.blocks.push_back(upper.blocks[0]);
+  for (int& node : both.blocks.back().nodes) node += nodes;
+  for (SideSet set : upper.side_sets) {
+    for (Side& side : set.sides) ++side.block;
+    both.side_sets.push_back(set);
+  }
+  const auto scene = [](const std::string& pair) {
+    return list("Mesh", list("Adapt", count("Levels", 1))) +
+           list("Materials", list("A", word("Block", "lower") + number("Density", 1)) +
+                                 list("B", word("Block", "body") + number("Density", 1))) +
+           list("Interactions", list("Pair", word("Side Set", "bottom") + word("Primary Side Set", "lower_top") +
+                                                 number("Cutoff", 0.8) + word("Smoothing", "None") + pair)) +
+           test::time_integrator("Newmark", 0.1, 1);
+  };
+  const auto refused = [&](const std::string& pair) {
+    return test::refusal([&] { Simulation(test::scene(scene(pair)), both, test::world()); });
+  };
+  EXPECT_EQ(refused(""), "");
+  test::expect_contains(refused(list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.3))),
+                        "Interactions/Pair/Friction: what slides on triangles does not go to another mesh");
 }
 
 }  // namespace

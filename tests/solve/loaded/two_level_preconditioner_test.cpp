@@ -170,6 +170,16 @@ TEST(CoarseMatrixTest, IsTheGalerkinProductWhereNodesHang) {
     Block block{dimension, 3, "", "", solver("Two-Level")};
     block.mesh = finer_corner(dimension);
     expect_galerkin_product_of(block);
+    // Before a sphere that turns, with dampers.
+    std::vector<double> center(static_cast<std::size_t>(dimension), 0.2);
+    center.back() = -3.4;
+    block.wall = word("Obstacle", "Sphere") + list("Sphere", number("Radius", 3) + numbers("Center", center)) +
+                 list("Motion", word("Rotation", "Turn") + (dimension == 3 ? numbers("Axis", {0, 1, 0}) : ""));
+    const std::vector<double> some(static_cast<std::size_t>(dimension), 0.7);
+    block.more += list("Histories", test::expression("Turn", "0.05*t", "0.05", "0")) +
+                  list("Grips", list("Machine", word("Type", "Springs") + word("Node Set", "right") +
+                                                    numbers("Stiffness", some) + numbers("Damping", some)));
+    expect_galerkin_product_of(block);
   }
 }
 

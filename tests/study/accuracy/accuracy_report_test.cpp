@@ -61,6 +61,25 @@ TEST(AccuracyReportTest, TheAnswerNamesErrorsLimitAndScope) {
   EXPECT_EQ(accuracy_text(question(), missed), "The accuracy 1 % cannot be judged: 10 runs are the most.\n");
 }
 
+TEST(AccuracyReportTest, AMeshCountsOnceAFinerOneJudgedIt) {
+  AccuracyResult own = result(AccuracyStatus::Kept, 0.005);
+  own.runs.back().settings.mesh = {3, 0.125, 0.01};
+  expect_contains(run_text(question(), own.runs.back(), 4), "gap ratio 1.5, 3 levels, part 0.125: 12 steps");
+  expect_contains(accuracy_text(question(), own), "the mesh, surface points, cutoffs were not examined");
+  own.mesh_is_judged = true;
+  own.achieved[0].mesh_error = 0.0004;
+  const std::string text = accuracy_text(question(), own);
+  expect_contains(text,
+                  "kept by the time steps and the mesh at the front; the coarse cells, surface points, cutoffs were");
+  expect_contains(text, "estimated error 0.1 % (asymptotic, of order 2; of it 0.04 % by the mesh)");
+  expect_contains(text, "for the coarse cells, use ixos-study --advise");
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path() + "/summary.json") << "{}";
+  add_accuracy(question(), own, folder.path());
+  for (const char* part : {"\"error_by_mesh\": 0.0004", "\"part\": 0.125", "Mesh/Adapt/Levels=3"})
+    expect_contains(test::contents(folder.path() + "/summary.json"), part);
+}
+
 TEST(AccuracyReportTest, TheSummaryKeepsItsEntriesAndGetsTheObject) {
   const test::TemporaryFolder folder;
   std::ofstream(folder.path() + "/summary.json") << "{\"status\": \"completed\", \"steps\": 12}";
