@@ -35,7 +35,7 @@ def main():
                             if row["error"] > 0 and ("level" in row["mesh"]) == follows)
             if points:
                 axes.loglog(*zip(*points), color=style.COLORS[number], marker="os"[number], markersize=5,
-                            linewidth=1.1, label=name)
+                            linewidth=0 if follows else 1.1, label=name)
         axes.set_title(title)
         axes.set_xlabel(label)
         axes.set_ylabel("error of the force")
