@@ -371,6 +371,20 @@ std::string staged_strip(const std::string& mesh, const std::string& output) {
                             list("On", on + stage("Average Vector Field", 0.025, 1.6)));
 }
 
+// The mesh may change with the last step, so that a run with a later Final Time goes on as if it had been that of the
+// first part.
+TEST_F(MeshFollowerTest, ARunGoesOnPastItsFinalTimeBitForBit) {
+  const auto scene = [](double end) {
+    return strip("Average Vector Field", adapt(2), 0.05, end, checkpoints(4, 100) + count("Fields Interval", 4));
+  };
+  run_scene(scene(3), "whole");
+  for (const long step : {8, 12, 16, 20, 24, 28, 32, 36, 40}) {
+    run_scene(scene(0.05 * static_cast<double>(step)), "parts");
+    run_scene(scene(3), "parts", checkpoint("parts", step));
+    expect_same("whole", "parts", true);
+  }
+}
+
 // A restart divides the mesh as the run did that came from another stage, and another folder begins with fields.e.
 TEST_F(MeshFollowerTest, StagesOfAnotherKindGoOnBitForBit) {
   std::string scene = staged_strip(adapt(2), checkpoints(6, 100) + count("Fields Interval", 5));
