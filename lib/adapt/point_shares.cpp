@@ -100,7 +100,8 @@ class Best {
         if (!is_less(candidate.size, best.size)) return all_.push_back(std::move(candidate));
       }
     }
-    all_.assign(1, std::move(candidate));
+    all_.clear();
+    all_.push_back(std::move(candidate));
   }
   bool none() const { return all_.empty(); }
 

@@ -59,7 +59,7 @@ MarkedEdges::Edge LongestEdges::longest(const TreeCell& simplex, int left_out) c
       const std::tuple<int, Edge> own{rank_.at({low, high}), {low, high}};
       if (own <= most) continue;
       most = own;
-      found = {static_cast<std::int8_t>(b), static_cast<std::int8_t>(a)};
+      found = {static_cast<std::uint8_t>(b), static_cast<std::uint8_t>(a)};
     }
   return found;
 }

@@ -15,7 +15,7 @@ using Edge = MarkedEdges::Edge;
 
 bool has(const Edge& edge, int corner) { return edge[0] == corner || edge[1] == corner; }
 
-Edge edge_between(int a, int b) { return {static_cast<std::int8_t>(a), static_cast<std::int8_t>(b)}; }
+Edge edge_between(int a, int b) { return {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)}; }
 
 /// Returns a point's shares of the corners of a simplex with those vertices.
 std::array<double, 4> shares(const std::array<RootPlace, 4>& vertices, int dimension, const RootPlace& point) {

@@ -27,7 +27,7 @@ TreeShape tree_shape(ReferenceShape shape);
 /// 22): each face of a tetrahedron has a marked edge, that of the triangle between both is the same in both cells, so
 /// that neighbours conform, and there are finitely many shapes of parts. Corners count from 0.
 struct MarkedEdges {
-  using Edge = std::array<std::int8_t, 2>;
+  using Edge = std::array<std::uint8_t, 2>;
   Edge refinement{};            ///< the one that is halved next
   std::array<Edge, 4> faces{};  ///< of a tetrahedron, by the corner across the face
   bool flagged = false;         ///< of a tetrahedron whose marked edges lie in one plane: its parent's did, too

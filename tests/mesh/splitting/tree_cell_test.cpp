@@ -27,7 +27,7 @@ TreeCell whole_simplex(int dimension, const std::array<int, 6>& ranks = {5, 3, 4
       for (int a = 0; a < b; ++a, ++edge)
         if (a != left_out && b != left_out && ranks[at(edge)] > most) {
           most = ranks[at(edge)];
-          found = {static_cast<std::int8_t>(a), static_cast<std::int8_t>(b)};
+          found = {static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)};
         }
     return found;
   };
