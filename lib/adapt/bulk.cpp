@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <string>
 
 #include "base/small_matrix.hpp"
 #include "fem/jacobian.hpp"
+#include "fem/simplex_nodes.hpp"
 #include "fem/ties.hpp"
 #include "fem/with_element.hpp"
 
@@ -21,14 +23,15 @@ using Gradient = std::array<double, 9>;
 
 /// Returns the mean of the corners of an element.
 template <class Element>
-std::array<double, Element::dimension> middle_of() {
+std::array<double, Element::dimension> corners_mean() {
   constexpr ReferenceShape shape = CellTraits<Element>::shape;
-  std::array<double, Element::dimension> middle{};
-  if constexpr (shape != ReferenceShape::Quadrilateral && shape != ReferenceShape::Hexahedron)
-    for (const auto& corner : Element::corners)
-      for (std::size_t i = 0; i < middle.size(); ++i)
-        middle[i] += corner[i] / static_cast<double>(Element::corners.size());
-  return middle;
+  if constexpr (shape == ReferenceShape::Quadrilateral || shape == ReferenceShape::Hexahedron) {
+    return {};
+  } else {
+    NodeCorners all(Element::corners.size());
+    std::iota(all.begin(), all.end(), 0);
+    return middle_of(Element::corners, all);
+  }
 }
 
 /// Returns du/dX at the middle of a cell.
@@ -38,7 +41,7 @@ Gradient middle_gradient(const Mesh& mesh, const ElementBlock& block, int cell, 
     constexpr std::size_t D = Element::dimension;
     std::array<double, Element::nodes> value, ones;
     std::array<std::array<double, D>, Element::nodes> slope;
-    evaluate_tied<Element>(block.tied, middle_of<Element>(), value, slope);
+    evaluate_tied<Element>(block.tied, corners_mean<Element>(), value, slope);
     ones.fill(1);
     const int* const nodes = &block.nodes[cell_entry(cell, Element::nodes)];
     const Small<double, D> map = jacobian<D>(mesh.coordinates, nodes, ones, slope);

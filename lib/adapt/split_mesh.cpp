@@ -119,10 +119,10 @@ int SplitMesh::leaf_of(const Cell& cell) const { return leaves_[at(cell.block)][
 int SplitMesh::face_of(const Cell& cell, int side) const {
   const ElementBlock& block = mesh_.blocks[at(cell.block)];
   const TreeCell& leaf = tree_.cell(leaf_of(cell));
+  if (leaf.shape == TreeShape::Whole) return side;
   Corners own;
   for (const int corner : side_nodes(corner_type(block.type), side))
     own.insert(block.nodes[cell_entry(cell.cell, nodes_per_cell(block.type), corner)]);
-  if (leaf.shape == TreeShape::Whole) return side;
   for (int face = 0; face < leaf.faces(); ++face) {
     Corners of_face;
     for (const int corner : leaf.corners_on(face)) of_face.insert(leaf.corners[at(corner)]);

@@ -44,8 +44,8 @@ class SplitMesh {
   const std::vector<std::optional<RootPoint>>& places() const { return places_; }
 
  private:
-  /// What takes reference coordinates of a cell to places in its root: from `first` on, `length` of a coordinate leads
-  /// from the origin along its axis.
+  /// The linear map from reference coordinates of a cell to places in its root: coordinates from `first` to `first` +
+  /// `length` lead from the origin along their axes.
   struct Axes {
     RootPlace origin{};
     std::array<RootPlace, 3> along{};

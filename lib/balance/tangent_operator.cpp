@@ -177,10 +177,9 @@ Teuchos::RCP<CrsMatrix> TangentOperator::coarse_matrix() const {
   for (std::size_t i = 0; i < rates_.size(); ++i) result_[i] += rates_[i];
   for (double& entry : result_) entry += shift_;
   model_.space().update_ghosts(result_.data());
-  // Tied nodes have no unknowns.
-  const auto d = static_cast<std::size_t>(model_.space().dimension());
-  for (std::size_t k = 0; k < static_cast<std::size_t>(model_.space().ties().size()) * d; ++k)
-    result_[static_cast<std::size_t>(model_.space().ties().first()) * d + k] = 0;
+  // Tied nodes, the last ones, have no unknowns.
+  if (const NodeTies& ties = model_.space().ties(); !ties.empty())
+    std::fill(result_.begin() + ties.first() * model_.space().dimension(), result_.end(), 0.0);
   const auto add = [&](double* values) {
     for (const auto* actions : {&elastic_, &interactions_})
       for (const auto& action : *actions) action->add_coarse(coarse, values);

@@ -164,7 +164,7 @@ std::shared_ptr<Simulation> Run::advance() {
       if (result_.status != RunStatus::Completed || !stage_ends_.empty() || result_.steps != before + 1) continue;
       if (!is_over())
         if (auto next = exchanged()) return next;
-      // At the Final Time, too: a run that goes on from there does what one with a later Final Time did.
+      // At the Final Time, too, so that a restart with a later one takes the steps that a single run would have taken.
       if (!follower_.on()) continue;
       follow([this] { return follower_.adapted(result_.steps, files_.history().largest_energy()); });
       if (on_other_mesh_) return on_other_mesh_;

@@ -99,8 +99,8 @@ void RunFiles::open_folder(bool goes_on) {
 }
 
 void RunFiles::create() {
-  if (frame_files_ > 0 &&
-      (exchanges_ == 0 || simulation_.adaptation().on())) {  // a restart in another folder begins with fields.e
+  // A restart in another folder begins with fields.e.
+  if (frame_files_ > 0 && (exchanges_ == 0 || simulation_.adaptation().on())) {
     frame_files_ = 0;
     name_frames();
   }

@@ -118,7 +118,7 @@ class Simulation {
     std::function<void(const Teuchos::ParameterList& list)> prepare;  ///< before make_mesh, on the first rank
     GivenHistories given;
     std::vector<std::string> columns{};
-    // Of the simulation that is built next, if it goes on with the mesh of a stage; empty if not.
+    // next_stage() sets these for the simulation that it builds on the mesh of the stage before; else they are empty.
     std::vector<int> owner{};  ///< the ranks of the nodes
     std::string mesh{};        ///< the fingerprint that the mesh must have
   };

@@ -11,7 +11,7 @@
 namespace ixos::test {
 namespace {
 
-/// What a run of the strip leaves.
+/// The forces of a run of the strip, and the unknowns at its end.
 struct Ends {
   std::vector<double> force;
   double least = 0, largest = 0;  ///< unknowns of a rank on the last mesh

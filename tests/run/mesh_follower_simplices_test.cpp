@@ -94,17 +94,7 @@ TEST_F(MeshFollowerSimplicesTest, TheForceIsThatOfTheFineMesh) {
                   follows =
                       run_scene(strip("Newmark", quadratic + adapt(2, number("Part", 0.125)), 0.05, 3), "follows");
   world()->barrier();
-  const std::vector<double> exact = table("fine").column("reaction_right_y"),
-                            rough = table("coarse").column("reaction_right_y"),
-                            own = table("follows").column("reaction_right_y");
-  double error = 0, error_of_coarse = 0, size = 0;
-  for (std::size_t k = 0; k < exact.size(); ++k) {
-    error += (own[k] - exact[k]) * (own[k] - exact[k]);
-    error_of_coarse += (rough[k] - exact[k]) * (rough[k] - exact[k]);
-    size += exact[k] * exact[k];
-  }
-  EXPECT_LT(std::sqrt(error / size), 0.03);
-  EXPECT_GT(error_of_coarse, 4 * error);
+  expect_force_of_fine_mesh(table("fine"), table("coarse"), table("follows"), 4);
   EXPECT_LT(follows.mesh_changes.unknowns, 0.6 * 1746 * static_cast<double>(follows.steps));
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "run/restart_fixture.hpp"
 #include "study/common/history_table.hpp"
@@ -45,6 +47,24 @@ inline void expect_closed(const HistoryTable& rows, double largest) {
       EXPECT_GE(lost[k], lost[k - 1] - 1e-13 * largest) << k;
     }
   }
+}
+
+/// The sum of the squared differences of two columns of as many rows.
+inline double squared_distance(const std::vector<double>& one, const std::vector<double>& other) {
+  double sum = 0;
+  for (std::size_t k = 0; k < one.size(); ++k) sum += (one[k] - other[k]) * (one[k] - other[k]);
+  return sum;
+}
+
+/// Expects that a run has the force of a run on a mesh that is fine everywhere within 3 %, and that squared errors are
+/// `times` smaller than those of a coarse mesh.
+inline void expect_force_of_fine_mesh(const HistoryTable& fine, const HistoryTable& coarse, const HistoryTable& follows,
+                                      double times) {
+  const std::string force = "reaction_right_y";
+  const std::vector<double> exact = fine.column(force), nothing(exact.size(), 0.0);
+  const double error = squared_distance(exact, follows.column(force));
+  EXPECT_LT(std::sqrt(error / squared_distance(exact, nothing)), 0.03);
+  EXPECT_GT(squared_distance(exact, coarse.column(force)), times * error);
 }
 
 }  // namespace ixos::test

@@ -30,8 +30,8 @@ class CellSplits {
   static CellSplits of_text(const std::string& text);
 
  private:
-  /// Block, cell, halvings along each axis, and how many parts of that length come before it along each axis. Of a
-  /// simplex: block, cell, bisections, 0, 0, and its path in parts of 31 bits.
+  /// Block, cell, halvings along each axis, and how many parts of that length come before it along each axis. A
+  /// simplex has its block, its cell, the number of bisections, 0, 0, and its path in parts of 31 bits.
   using Key = std::array<int, 8>;
   static Key key(const TreeCell& cell);
 

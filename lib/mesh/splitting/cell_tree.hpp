@@ -100,7 +100,8 @@ class CellTree {
   std::vector<int> leaves() const;
   void add_roots();
   void bound_levels();
-  std::vector<int> levels() const;
+  /// Returns the largest level of the parts of each cell of the mesh.
+  std::vector<int> levels_of(const std::vector<TreeCell>& cells) const;
   bool may_be_split(const TreeCell& cell) const { return cell.level() < most_[at(root(cell.block, cell.root))]; }
   void lower_bounds();
   bool grow(const Wish& wish, bool in_all_directions, long long most);

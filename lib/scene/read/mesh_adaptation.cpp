@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "adapt/front.hpp"
 #include "base/error.hpp"
 #include "interaction/gap_law.hpp"
@@ -49,19 +51,13 @@ const Options<AdaptOptions>& options() {
   return all;
 }
 
-/// Returns whether a side of the pair's surfaces is a triangle.
-bool has_triangles(const Mesh& mesh, const SceneInteraction& interaction) {
-  for (const std::string& surface : {interaction.side_set, interaction.primary})
-    for (const Side& side : side_set_named(mesh, surface).sides)
-      if (count_of(corners_of(mesh, side)) == 3) return true;
-  return false;
-}
-
-/// Returns whether a side of the pair's surfaces has no nodes but its corners.
-bool has_linear_sides(const Mesh& mesh, const SceneInteraction& interaction) {
-  for (const std::string& surface : {interaction.side_set, interaction.primary})
-    for (const Side& side : side_set_named(mesh, surface).sides)
-      if (nodes_of_side(mesh, side).size() <= 4) return true;
+/// Returns whether a condition holds for some side of the pair's surfaces.
+template <class Condition>
+bool has_side(const Mesh& mesh, const SceneInteraction& interaction, const Condition& condition) {
+  for (const std::string& surface : {interaction.side_set, interaction.primary}) {
+    const std::vector<Side>& sides = side_set_named(mesh, surface).sides;
+    if (std::any_of(sides.begin(), sides.end(), condition)) return true;
+  }
   return false;
 }
 
@@ -113,9 +109,11 @@ void check_adaptation(const AdaptOptions& options, const std::vector<SceneIntera
     throw InputError("Mesh/Adapt/Directions: \"z\" is no axis of a mesh of two dimensions; \"x\" and \"y\" are");
   if (!options.directions.empty() && has_simplices(mesh))
     throw InputError("Mesh/Adapt/Directions: triangles and tetrahedra have no axes; choose \"all\"");
+  const auto is_triangle = [&](const Side& side) { return count_of(corners_of(mesh, side)) == 3; };
+  const auto has_corners_alone = [&](const Side& side) { return nodes_of_side(mesh, side).size() <= 4; };
   for (const SceneInteraction& interaction : interactions)
     if (mesh.dimension == 3 && interaction.is_pair() && interaction.friction.type != FrictionType::None &&
-        has_triangles(mesh, interaction))
+        has_side(mesh, interaction, is_triangle))
       throw InputError(
           fmt::format("{}/Friction: what slides on triangles does not go to another mesh, and Mesh/Adapt changes the "
                       "mesh; set Type "
@@ -123,7 +121,8 @@ void check_adaptation(const AdaptOptions& options, const std::vector<SceneIntera
                       interaction.node.path()));
   if (mesh.dimension == 2) return;  // the ends of sides are corners of their neighbours, whatever their sizes
   for (const SceneInteraction& interaction : interactions)
-    if (interaction.is_pair() && interaction.smoothing != Smoothing::None && has_linear_sides(mesh, interaction))
+    if (interaction.is_pair() && interaction.smoothing != Smoothing::None &&
+        has_side(mesh, interaction, has_corners_alone))
       throw InputError(
           fmt::format("{}/Smoothing: curved patches do not close where cells of two sizes meet, and Mesh/Adapt makes "
                       "such cells; choose \"None\", or quadratic cells",

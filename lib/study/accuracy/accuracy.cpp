@@ -37,6 +37,21 @@ double largest_error(const std::vector<AchievedAccuracy>& achieved) {
   return largest;
 }
 
+/// Whether changes from run to run still fall.
+class Progress {
+ public:
+  /// Takes part in a run. Returns whether several in a row brought nothing.
+  bool has_ended(double change) {
+    without_ = change < tuning::progress * least_ ? 0 : without_ + 1;
+    least_ = std::min(least_, change);
+    return without_ >= tuning::most_without_progress;
+  }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  int without_ = 0;
+};
+
 /// The good runs that differ in their steps, and whether their errors still fall.
 class Sequence {
  public:
@@ -62,25 +77,21 @@ class Sequence {
     for (std::size_t q = 0; q < achieved.size(); ++q)
       if (achieved[q].error > question_.accuracy)
         change = std::max(change, question_.quantities[q].is_error() ? achieved[q].error : relative_change(runs_, q));
-    without_progress_ = change < tuning::progress * least_change_ ? 0 : without_progress_ + 1;
-    least_change_ = std::min(least_change_, change);
-    if (without_progress_ < tuning::most_without_progress) return "";
+    if (!progress_.has_ended(change)) return "";
     return "shorter steps no longer reduce the error: the motion may be chaotic, or the quantity may jump or be 0";
   }
 
  private:
   const AccuracyQuestion& question_;
   std::vector<AccuracyRun> runs_;
-  double least_change_ = std::numeric_limits<double>::infinity();
-  int without_progress_ = 0;
+  Progress progress_;
 };
 
 /// Judges the mesh of the last run, which keeps the accuracy by its steps, by runs with finer ones.
 void judge_mesh(const AccuracyQuestion& question, AccuracySettings settings, const CarryOut& carry_out,
                 AccuracyResult& result) {
   const std::vector<AchievedAccuracy> by_steps = result.achieved;
-  double least_change = std::numeric_limits<double>::infinity();
-  int without_progress = 0;
+  Progress progress;
   result.status = AccuracyStatus::Missed;
   for (int finer = 0; result.limit.empty(); ++finer) {
     if (finer == tuning::most_finer_meshes || !has_finer_mesh(settings)) {
@@ -120,9 +131,7 @@ void judge_mesh(const AccuracyQuestion& question, AccuracySettings settings, con
       result.status = AccuracyStatus::Kept;
       return;
     }
-    without_progress = change < tuning::progress * least_change ? 0 : without_progress + 1;
-    least_change = std::min(least_change, change);
-    if (without_progress == tuning::most_without_progress)
+    if (progress.has_ended(change))
       result.limit =
           "finer meshes no longer reduce the error: cells that Mesh/Adapt leaves as they are may be too coarse";
   }

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What an answer judges.
+/// The sources of error that the runs judge, and those that they do not.
 struct Scope {
   std::string covered;
   std::vector<std::string> not_covered;

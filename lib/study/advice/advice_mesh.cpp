@@ -104,8 +104,8 @@ AdviceLevel level(const std::vector<CellCount>& counts, int k) {
   return result;
 }
 
-/// Adds to levels of a mesh that follows the front that the bounds of its faces and of its strain go with the cells. A
-/// mesh without coarser and finer cells of its own gets levels that have more halvings.
+/// Scales the bounds of a mesh that follows the front, for its faces and its strain, with the cells of each level. If
+/// the mesh has no parameter that refines it, makes levels with fewer and with more halvings.
 void add_bounds(const List& adapt, MeshLevels& meshes) {
   const int halvings = adapt.get<int>("Levels");
   if (halvings == 0) return;
