@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "fem/cell_info.hpp"
 #include "mesh/cell_order.hpp"
@@ -96,6 +98,49 @@ TEST_F(MeshFollowerSimplicesTest, TheForceIsThatOfTheFineMesh) {
   world()->barrier();
   expect_force_of_fine_mesh(table("fine"), table("coarse"), table("follows"), 4);
   EXPECT_LT(follows.mesh_changes.unknowns, 0.6 * 1746 * static_cast<double>(follows.steps));
+}
+
+// Nodes turned within cells, other numbers of nodes, and the mirror image: the mesh changes alike.
+TEST_F(MeshFollowerSimplicesTest, NumbersAndMirrorsPlayNoPart) {
+  const std::string scene = strip("Average Vector Field", quadratic + adapt(2), 0.05, 1.5);
+  const auto force = [&](const std::string& name) {
+    const RunResult result = run_scene(scene, name);
+    EXPECT_GT(result.mesh_changes.count, 2);
+    world()->barrier();
+    return table(name).column("reaction_right_y");
+  };
+  use_strip("triangles");
+  const Mesh plain = *mesh_;
+  const std::vector<double> expected = force("plain");
+  const auto expect_same_force = [&](const std::string& name) {
+    const double size = squared_distance(expected, std::vector<double>(expected.size(), 0.0));
+    EXPECT_LT(std::sqrt(squared_distance(force(name), expected) / size), 1e-11) << name;
+  };
+  std::vector<int>& nodes = mesh_->blocks[0].nodes;
+  for (std::size_t cell = 0; cell + 2 < nodes.size(); cell += 6)  // every other cell
+    std::rotate(&nodes[cell], &nodes[cell + 1], &nodes[cell] + 3);
+  mesh_->side_sets.clear();
+  for (const SideSet& set : plain.side_sets) {
+    mesh_->side_sets.push_back(set);
+    for (Side& side : mesh_->side_sets.back().sides)
+      if (side.cell % 2 == 0) side.side = (side.side + 2) % 3;
+  }
+  expect_same_force("turned");
+  *mesh_ = plain;
+  const int last = plain.nodes() - 1;
+  for (int node = 0; node <= last; ++node)
+    std::copy_n(&plain.coordinates[static_cast<std::size_t>(2 * node)], 2,
+                &mesh_->coordinates[static_cast<std::size_t>(2 * (last - node))]);
+  for (int& node : mesh_->blocks[0].nodes) node = last - node;
+  for (NodeSet& set : mesh_->node_sets)
+    for (int& node : set.nodes) node = last - node;
+  expect_same_force("renumbered");
+  *mesh_ = plain;
+  for (std::size_t k = 0; k < plain.coordinates.size(); k += 2) mesh_->coordinates[k] = 12 - plain.coordinates[k];
+  for (std::size_t cell = 0; cell < nodes.size(); cell += 3) std::swap(nodes[cell + 1], nodes[cell + 2]);
+  for (SideSet& set : mesh_->side_sets)
+    for (Side& side : set.sides) side.side = 2 - side.side;
+  expect_same_force("mirrored");
 }
 
 // Tetrahedra, alone and beside hexahedra and pyramids.
