@@ -179,7 +179,7 @@ Teuchos::RCP<CrsMatrix> TangentOperator::coarse_matrix() const {
   model_.space().update_ghosts(result_.data());
   // Tied nodes, the last ones, have no unknowns.
   if (const NodeTies& ties = model_.space().ties(); !ties.empty())
-    std::fill(result_.begin() + ties.first() * model_.space().dimension(), result_.end(), 0.0);
+    std::fill(result_.begin() + std::ptrdiff_t{ties.first()} * model_.space().dimension(), result_.end(), 0.0);
   const auto add = [&](double* values) {
     for (const auto* actions : {&elastic_, &interactions_})
       for (const auto& action : *actions) action->add_coarse(coarse, values);
