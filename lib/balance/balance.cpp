@@ -10,6 +10,7 @@ Balance::Balance(const Model& model) : model_(model), sums_(model) {
   inertia_.resize(local);
   elastic_.resize(local);
   if (model.has_interactions()) interaction_.resize(local);
+  globals_.resize(static_cast<std::size_t>(model.space().globals().numbers));
 }
 
 bool Balance::evaluate(Part part, const Segment& segment, const Rule& rule, KeptForces* kept) {
@@ -43,14 +44,20 @@ void Balance::sum(const BalancePoint& at, const double* fixed, double* out) {
     if (interacts) sum += interaction_[i];
     out[i] = sum;
   }
+  const auto first = static_cast<std::size_t>(model_.space().first_global());
+  for (std::size_t i = 0; i < globals_.size(); ++i)
+    globals_[i] =
+        elastic_[first + i] + (interacts ? interaction_[first + i] : 0.0) + (fixed != nullptr ? fixed[first + i] : 0.0);
   if (at.rates == Rates::None || !sums_.has_rates()) return;
   rates_.resize(elastic_.size());
   std::copy_n(out, owned, rates_.data());  // terms add to local arrays
+  std::copy(globals_.begin(), globals_.end(), rates_.begin() + static_cast<std::ptrdiff_t>(first));
   if (at.rates == Rates::Stage)
     sums_.add_rate_force(at.elastic.end(), rates_.data());
   else
     sums_.add_rate_force_at(1.0, at.elastic.to, at.velocity, rates_.data());
   std::copy_n(rates_.data(), owned, out);
+  std::copy_n(rates_.data() + first, globals_.size(), globals_.data());
 }
 
 void Balance::tangent(const BalancePoint& at, const TangentWeights& weights, Tangent kind, const KeptForces* kept,

@@ -56,6 +56,8 @@ class Balance {
   /// Sets `out` to the sum of the last evaluation, with the rates of the point, in owned rows. `fixed`: local, forces
   /// that do not depend on the unknown, such as less the load; null: none.
   void sum(const BalancePoint& at, const double* fixed, double* out);
+  /// Returns this rank's share of the forces on globals in the last sum(), without inertia.
+  const std::vector<double>& global_forces() const { return globals_; }
 
   /// Sets matrix values in the layout of Pattern::create_matrix, Pattern::values() of them, to W, in all rows and
   /// columns, also those of constrained degrees of freedom. `kept`: null, or that of the last evaluation, which must
@@ -74,6 +76,7 @@ class Balance {
   TermSums sums_;
   std::vector<double> inertia_, elastic_, interaction_;
   std::vector<double> rates_;  ///< scratch, local
+  std::vector<double> globals_;
 };
 
 }  // namespace ixos

@@ -44,6 +44,7 @@ Slab share_slab(const std::vector<long long>& lengths, int rank) {
 }
 
 std::string lengths_name(const char* name) { return std::string(name) + " lengths"; }
+std::string globals_name(const char* name) { return std::string(name) + " of rigid bodies"; }
 
 /// Returns the numbers of the rank's own nodes in the mesh.
 std::vector<long long> owned_nodes(const LocalMesh& mesh) {
@@ -67,12 +68,16 @@ void CheckpointWriter::scalar(const char* name, double& value) {
   file_->put(name, value);
 }
 
-void CheckpointWriter::field(const char* name, std::vector<double>& values, Extent) {
+void CheckpointWriter::field(const char* name, std::vector<double>& values, Extent extent) {
   const bool present = space_.maximum(values.empty() ? 0 : 1) > 0;
   // A rank may own no nodes, or none that are constrained and have reactions.
   const std::vector<double> zero(values.empty() && present ? static_cast<std::size_t>(space_.owned()) : 0, 0.0);
   file_->put(name, values.empty() ? zero.data() : values.data(),
              present ? owned_slab(space_, space_.dimension()) : Slab{});
+  const auto globals = static_cast<unsigned long long>(space_.globals().numbers);
+  if (extent == Extent::Owned || globals == 0 || !present) return;
+  const bool first = space_.comm()->getRank() == 0;  // alike on all ranks
+  file_->put(globals_name(name).c_str(), values.data() + space_.first_global(), Slab{0, first ? globals : 0, globals});
 }
 
 void CheckpointWriter::share(const char* name, std::vector<double>& values) {
@@ -174,6 +179,14 @@ void CheckpointReader::field(const char* name, std::vector<double>& values, Exte
       throw InputError(std::string("\"") + name + "\" has a value that is not finite");
   });
   if (present && extent == Extent::Local) space_.update_ghosts(values.data());
+  const auto globals = static_cast<unsigned long long>(space_.globals().numbers);
+  if (extent == Extent::Owned || globals == 0 || !present) return;
+  together<InputError>(space_.comm(), [&] {
+    const std::vector<double> all = file_->numbers(globals_name(name).c_str(), {0, globals, 0});
+    if (!std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); }))
+      throw InputError("\"" + globals_name(name) + "\" has a value that is not finite");
+    std::copy(all.begin(), all.end(), values.begin() + space_.first_global());
+  });
 }
 
 /// Returns the lengths of the shares of all ranks.

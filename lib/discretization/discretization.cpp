@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-Discretization::Discretization(LocalMesh mesh, const Comm& comm)
-    : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_) {}
+Discretization::Discretization(LocalMesh mesh, const Comm& comm, GlobalUnknowns globals)
+    : mesh_(std::move(mesh)), space_(mesh_, comm, std::move(globals)), pattern_(mesh_) {}
 
 void Discretization::check_local(const std::vector<std::vector<int>>& stencils) const {
   for (const std::vector<int>& stencil : stencils)

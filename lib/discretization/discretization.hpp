@@ -13,7 +13,7 @@ namespace ixos {
 /// factorisations) is of one version and must be renewed when the version has changed.
 class Discretization {
  public:
-  Discretization(LocalMesh mesh, const Comm& comm);
+  Discretization(LocalMesh mesh, const Comm& comm, GlobalUnknowns globals = {});
   Discretization(const Discretization&) = delete;
   Discretization& operator=(const Discretization&) = delete;
 

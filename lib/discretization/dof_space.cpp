@@ -5,6 +5,7 @@
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
+#include <utility>
 
 namespace ixos {
 namespace {
@@ -28,11 +29,12 @@ double reduce(double value, Teuchos::EReductionType type, const Comm& comm) {
 
 }  // namespace
 
-DofSpace::DofSpace(const LocalMesh& mesh, const Comm& comm)
+DofSpace::DofSpace(const LocalMesh& mesh, const Comm& comm, GlobalUnknowns globals)
     : dimension_(mesh.dimension),
       owned_(mesh.owned_nodes * mesh.dimension),
-      local_(mesh.nodes() * mesh.dimension),
+      local_(mesh.nodes() * mesh.dimension + globals.numbers),
       global_(mesh.global_nodes * mesh.dimension),
+      globals_(std::move(globals)),
       ties_(mesh.ties),
       comm_(comm),
       owned_map_(Teuchos::rcp(
@@ -40,8 +42,13 @@ DofSpace::DofSpace(const LocalMesh& mesh, const Comm& comm)
       local_map_(comm->getSize() == 1
                      ? owned_map_
                      : dof_map(mesh, mesh.nodes() - mesh.ties.size(),
-                               static_cast<long long>(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid()),
-                               comm)) {
+                               static_cast<long long>(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid()), comm)),
+      unknown_map_(owned_map_) {
+  if (has_globals()) {
+    const std::size_t more = comm->getRank() == 0 ? globals_.free.size() : 0;
+    unknown_map_ = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(global_) + globals_.free.size(),
+                                        static_cast<std::size_t>(owned_) + more, 0, comm));
+  }
   if (comm->getSize() == 1) return;
   importer_ = Teuchos::rcp(new Import(owned_map_, local_map_));
   buffer_ = Teuchos::rcp(new Vector(local_map_));
@@ -50,6 +57,19 @@ DofSpace::DofSpace(const LocalMesh& mesh, const Comm& comm)
 DofSpace::~DofSpace() = default;
 
 void DofSpace::import(const Vector& owned, double* local) const {
+  if (!has_globals() || owned.getGlobalLength() == static_cast<Tpetra::global_size_t>(global_))
+    return import_nodes(owned, local);
+  import_nodes(*owned.offsetView(owned_map_, 0), local);
+  std::vector<double> values(globals_.free.size());
+  if (comm_->getRank() == 0) {
+    const auto view = owned.getLocalViewHost(Tpetra::Access::ReadOnly);
+    std::copy_n(view.data() + owned_, values.size(), values.begin());
+  }
+  if (comm_->getSize() > 1) Teuchos::broadcast(*comm_, 0, static_cast<int>(values.size()), values.data());
+  for (std::size_t k = 0; k < values.size(); ++k) local[place_of_free(k)] = values[k];
+}
+
+void DofSpace::import_nodes(const Vector& owned, double* local) const {
   if (buffer_.is_null()) {
     const auto view = owned.getLocalViewHost(Tpetra::Access::ReadOnly);
     std::copy_n(view.data(), owned_, local);
@@ -60,6 +80,13 @@ void DofSpace::import(const Vector& owned, double* local) const {
   const auto view = buffer_->getLocalViewHost(Tpetra::Access::ReadOnly);
   std::copy_n(view.data(), view.extent(0), local);
   interpolate_tied(local);
+}
+
+void DofSpace::take(const double* local, Vector& owned) const {
+  const auto view = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  std::copy_n(local, owned_, view.data());
+  for (std::size_t i = static_cast<std::size_t>(owned_); i < view.extent(0); ++i)
+    view(i, 0) = local[place_of_free(i - static_cast<std::size_t>(owned_))];
 }
 
 void DofSpace::update_ghosts(double* local) const {

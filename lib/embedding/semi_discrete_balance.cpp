@@ -3,12 +3,16 @@
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "model/traits.hpp"
 
 namespace ixos {
 
 SemiDiscreteBalance::SemiDiscreteBalance(const Model& model)
     : model_(model), balance_(model), histories_(model.create_histories()) {
+  if (model.space().has_globals())
+    throw InputError(
+        "the semi-discrete balance has no equations for rigid bodies; integrate the model with Integrator");
   const auto local = static_cast<std::size_t>(model.space().local());
   for (std::vector<double>* array : {&u_, &v_, &a_, &part_, &sum_}) array->resize(local);
 }

@@ -150,6 +150,7 @@ RigidPose RigidMotion::pose(double time) const {
   const TimeValue angle = angle_->at(time);
   pose.angle = angle.value;
   pose.spin = angle.rate;
+  pose.turn = turn_about(axis_, angle.value);
   return pose;
 }
 

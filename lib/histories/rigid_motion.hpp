@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/turn.hpp"
 #include "histories/time_function.hpp"
 
 namespace ixos {
@@ -33,6 +34,8 @@ struct RigidPose {
   std::array<double, 3> axis{0, 0, 1.0};  ///< n, a unit vector, about which R turns
   double angle = 0;                       ///< of R [rad]
   double spin = 0;                        ///< the angle's rate [rad/T0]
+  Turn turn{};                            ///< R - I
+  std::array<double, 3> step{};           ///< w of the rotation since the step's start; of a body that moves by itself
 
   /// Returns R v - v for the rotation R by `by` about the pose's axis, without cancellation at small angles.
   std::array<double, 3> turning(double by, const std::array<double, 3>& v) const;

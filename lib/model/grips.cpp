@@ -9,6 +9,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "model/support_numbers.hpp"
 
 namespace ixos {
 namespace {
@@ -32,24 +33,6 @@ std::vector<MotionShare> shares_of(const LocalMesh& mesh, const RigidMotion& mot
   const double* place = &mesh.coordinates[n * static_cast<std::size_t>(mesh.dimension)];
   // The coordinates of a derivative node are dX/ds.
   return mesh.is_derivative(n) ? motion.displacement_derivative(place, i) : motion.displacement(place, i);
-}
-
-/// Returns the coefficients; none if they are empty or all are 0. Throws InputError.
-std::vector<double> checked(const char* what, std::vector<double> values, const LocalMesh& mesh) {
-  const int dimension = mesh.dimension;
-  if (values.empty()) return values;
-  if (values.size() != static_cast<std::size_t>(dimension))
-    throw InputError(
-        fmt::format("the {} has {} components, but the mesh has {} dimensions", what, values.size(), dimension));
-  for (const double value : values)
-    if (!(value >= 0 && std::isfinite(value)))
-      throw InputError(fmt::format("the {} has the component {}; each must be finite and at least 0", what, value));
-  if (mesh.axisymmetric && values[0] != 0)
-    throw InputError(
-        fmt::format("the {} has the radial component {}; on an axisymmetric mesh a grip acts along y only: use 0", what,
-                    values[0]));
-  if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) values.clear();
-  return values;
 }
 
 /// Nodes of the mesh that carry springs, ghosts included, and the number of them on all ranks.
@@ -132,8 +115,8 @@ void grip_rigidly(Model& model, const std::string& name, const std::string& node
 void grip_elastically(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion,
                       const GripSupport& support) {
   const std::size_t set = checked_set(model, name, node_set, motion);
-  const std::vector<double> stiffness = checked("stiffness", support.stiffness, model.mesh());
-  const std::vector<double> damping = checked("damping", support.damping, model.mesh());
+  const std::vector<double> stiffness = support_numbers("stiffness", support.stiffness, model.mesh());
+  const std::vector<double> damping = support_numbers("damping", support.damping, model.mesh());
   if (stiffness.empty() && damping.empty())
     throw InputError("the grip has neither a stiffness nor a damping greater than 0");
   if (!damping.empty() && model.mass() == nullptr)

@@ -21,6 +21,7 @@ std::vector<double> InteractionGroup::force(const Counts& counts) const {
   for (const Interaction* term : terms_)
     if (counts(*term)) term->add_force(segment_at(at_), end_rule(), f.data());
   space_.condense(f.data());
+  f.resize(static_cast<std::size_t>(space_.first_global()));
   return f;
 }
 
@@ -66,7 +67,7 @@ std::vector<double> InteractionGroup::gap_of_both() const {
 }
 
 std::vector<double> InteractionGroup::normal() const {
-  std::vector<double> normal(static_cast<std::size_t>(space_.local()), 0.0);
+  std::vector<double> normal(static_cast<std::size_t>(space_.first_global()), 0.0);
   for (const Interaction* term : terms_) term->reports().set_nodal_normal(at_, normal.data());
   return normal;
 }

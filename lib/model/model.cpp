@@ -13,8 +13,22 @@
 #include "term/support/springs.hpp"
 
 namespace ixos {
-Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
-    : materials_(materials), discretization_(std::move(mesh), comm), loads_(static_cast<std::size_t>(space().local())) {
+namespace {
+
+void check_body(const RigidBody& body, bool moves) {
+  if (moves && !body.free().empty() && !(body.mass() > 0))
+    throw InputError(fmt::format("the rigid body \"{}\" has no mass, which it needs to move in time", body.name()));
+}
+
+}  // namespace
+
+Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia,
+             RigidBodies rigid_bodies)
+    : materials_(materials),
+      rigid_bodies_(std::move(rigid_bodies)),
+      discretization_(std::move(mesh), comm, {rigid_bodies_.numbers(), rigid_bodies_.free()}),
+      loads_(static_cast<std::size_t>(space().local())) {
+  for (const RigidBody& body : rigid_bodies_) check_body(body, inertia != Inertia::None);
   if (inertia != Inertia::None) mass_ = std::make_unique<Mass>(this->mesh(), pattern(), inertia == Inertia::Lumped);
   for (const Material& material : materials) {
     check_material(material, inertia != Inertia::None);
@@ -197,15 +211,33 @@ std::vector<std::string> Model::interaction_names() const {
   return names;
 }
 
+void Model::drive_body(std::size_t body, std::size_t direction, std::shared_ptr<const TimeFunction> motion) {
+  check_open();
+  const std::vector<std::size_t>& free = rigid_bodies_[body].free();
+  if (direction >= 3) throw std::out_of_range("a body is driven along a direction of space");
+  if (std::find(free.begin(), free.end(), direction) != free.end())
+    throw InputError("the rigid body \"" + rigid_bodies_[body].name() +
+                     "\" moves freely along a direction that is driven");
+  driven_globals_.push_back({first_number(body) + direction, std::move(motion)});
+}
+
+void Model::add_supports(const std::string& name, std::unique_ptr<Springs> springs,
+                         std::unique_ptr<Dashpots> dashpots) {
+  check_open();
+  has_supports_ = true;
+  if (springs) {
+    springs_.push_back(springs.get());
+    force_terms_.push_back({name, springs.get()});
+    add_term(std::move(springs), "springs of " + name);
+  }
+  if (dashpots) add_rate_term(std::move(dashpots), "dashpots of " + name);
+}
+
 void Model::add_grip(Grip grip, std::unique_ptr<Springs> springs, std::unique_ptr<Dashpots> dashpots) {
   check_open();
   grip.springs = springs.get();
   grip.dashpots = dashpots.get();
-  if (springs) {
-    force_terms_.push_back({grip.name, springs.get()});
-    add_term(std::move(springs), "springs of " + grip.name);
-  }
-  if (dashpots) add_rate_term(std::move(dashpots), "dashpots of " + grip.name);
+  if (!grip.rigid) add_supports(grip.name, std::move(springs), std::move(dashpots));
   grips_.push_back(std::move(grip));
 }
 

@@ -9,6 +9,7 @@
 #include "model/body.hpp"
 #include "model/grip.hpp"
 #include "model/tied_sets.hpp"
+#include "rigid/rigid_bodies.hpp"
 #include "term/body/damping.hpp"
 #include "term/body/mass.hpp"
 #include "term/interaction.hpp"
@@ -37,6 +38,12 @@ struct NamedForceTerm {
 struct NamedInteraction {
   std::string name;
   Interaction* term;
+};
+
+/// A number of a rigid body that moves by a history: a translation.
+struct DrivenGlobal {
+  std::size_t place;  ///< in local arrays
+  std::shared_ptr<const TimeFunction> motion;
 };
 
 /// Numbers that tell how stiff and how heavy a model is, over all ranks.
@@ -71,8 +78,9 @@ struct ModelWork {
 class Model {
  public:
   /// Throws InputError, with the block, if a block has no material or two, or a material has a value out of range.
-  Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials,
-        Inertia inertia = Inertia::Consistent);
+  /// The rigid bodies carry obstacles, see SurfaceInteraction.
+  Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia = Inertia::Consistent,
+        RigidBodies rigid_bodies = {});
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
@@ -85,6 +93,12 @@ class Model {
   /// Adds a grip, whose constraints and driving loads the model has already; the model takes its springs and dashpots,
   /// each may be null. grip_rigidly() and grip_elastically() (model/grips.hpp) call this.
   void add_grip(Grip grip, std::unique_ptr<Springs> springs, std::unique_ptr<Dashpots> dashpots);
+  /// Adds springs and dashpots of what is no node; each may be null. support_body() (model/body_supports.hpp) calls
+  /// this.
+  void add_supports(const std::string& name, std::unique_ptr<Springs> springs, std::unique_ptr<Dashpots> dashpots);
+  /// Moves a held translation of a rigid body by a history, displacement [L0]. Throws std::out_of_range for a direction
+  /// that is not 0 to 2, InputError if the body moves freely along it.
+  void drive_body(std::size_t body, std::size_t direction, std::shared_ptr<const TimeFunction> motion);
   Constraints& constraints() { return constraints_; }
   Loads& loads() { return loads_; }
   TiedConditions& tied_conditions() { return tied_conditions_; }
@@ -125,6 +139,17 @@ class Model {
   const std::vector<Material>& materials() const { return materials_; }
   const std::vector<Body>& bodies() const { return bodies_; }
   const std::vector<Grip>& grips() const { return grips_; }
+  /// Returns the springs of grips and of rigid bodies, and whether there are springs or dashpots. Equal on all ranks.
+  const std::vector<const Springs*>& springs() const { return springs_; }
+  bool has_supports() const { return has_supports_; }
+  /// Returns the rigid bodies; their numbers stand at the end of local arrays, from DofSpace::first_global() on.
+  const RigidBodies& rigid_bodies() const { return rigid_bodies_; }
+  /// Returns the place of a body's first number in local arrays.
+  std::size_t first_number(std::size_t body) const {
+    return static_cast<std::size_t>(space().first_global()) + RigidBodies::first(body);
+  }
+  /// Returns the numbers that move by histories; none of bodies that are prescribed as a whole.
+  const std::vector<DrivenGlobal>& driven_globals() const { return driven_globals_; }
   const ModelScales& scales() const { return scales_; }
 
   /// Returns the elastic terms, named after their blocks, the springs of grips, and the interactions.
@@ -171,6 +196,7 @@ class Model {
   void find_scales();
 
   const std::vector<Material> materials_;
+  const RigidBodies rigid_bodies_;
   Discretization discretization_;
   std::unique_ptr<Mass> mass_;
   std::vector<NamedTerm> terms_;
@@ -189,6 +215,9 @@ class Model {
   mutable bool closed_ = false;
   ModelScales scales_;
   std::vector<Grip> grips_;
+  std::vector<const Springs*> springs_;
+  std::vector<DrivenGlobal> driven_globals_;
+  bool has_supports_ = false;
 };
 
 }  // namespace ixos

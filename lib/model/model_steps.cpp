@@ -40,8 +40,7 @@ ModelWork Model::accept(const AcceptedStep& step, TermHistories& histories) cons
     if (named.account >= 0) work[static_cast<std::size_t>(named.account)] += own.dissipated;
     work.back() += own.driven;
   }
-  const bool has_supports = std::any_of(grips_.begin(), grips_.end(), [](const Grip& grip) { return !grip.rigid; });
-  if (work.size() > 1 || has_supports) space().sum(work.data(), static_cast<int>(work.size()));
+  if (work.size() > 1 || has_supports_) space().sum(work.data(), static_cast<int>(work.size()));
   const double driven = work.back();
   work.pop_back();
   return {std::move(work), driven};

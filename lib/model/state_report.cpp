@@ -32,15 +32,13 @@ double StateReport::elastic_energy() const {
   double sum = energy(Part::Elastic);
   if (!has_springs(model_)) return sum;
   double stretch = 0;
-  for (const Grip& grip : model_.grips())
-    if (grip.springs != nullptr) stretch += grip.springs->stretch_energy(at().time, at().u);
+  for (const Springs* const springs : model_.springs()) stretch += springs->stretch_energy(at().time, at().u);
   model_.space().sum(&stretch, 1);
   return sum + stretch;
 }
 
 void StateReport::add_stretch_gradient(double* f) const {
-  for (const Grip& grip : model_.grips())
-    if (grip.springs != nullptr) grip.springs->add_stretch_gradient(at().time, f);
+  for (const Springs* const springs : model_.springs()) springs->add_stretch_gradient(at().time, f);
 }
 
 std::vector<double> StateReport::nodal_force(Part part) const {
@@ -76,6 +74,15 @@ Momenta StateReport::momenta() const {
     }
   }
   model_.space().sum(sums.data(), static_cast<int>(sums.size()));
+  const RigidBodies& rigid = model_.rigid_bodies();
+  for (std::size_t i = 0; i < rigid.size() && model_.mass() != nullptr; ++i) {
+    const auto first = model_.first_number(i);
+    sums[0] += rigid[i].kinetic_energy(v + first);
+    const std::array<double, 3> linear = rigid[i].momentum(v + first);
+    const std::array<double, 3> angular = rigid[i].angular_momentum(u + first, v + first);
+    for (std::size_t k = 0; k < d; ++k) sums[1 + k] += linear[k];
+    for (std::size_t k = d == 2 ? 2 : 0; k < 3; ++k) sums[(d == 2 ? 1 : 4) + k] += angular[k];
+  }
   if (mesh.axisymmetric) sums[1] = sums[3] = 0;  // the ring's radial momenta cancel
   const auto first = sums.begin() + 1;
   const auto middle = first + static_cast<std::ptrdiff_t>(d);

@@ -30,8 +30,21 @@ void check(const SurfaceInteraction& interaction, const LocalMesh& mesh) {
   if (interaction.motion && interaction.motion->dimension() != mesh.dimension)
     refuse(fmt::format("has an obstacle whose motion has {} dimensions, but the mesh has {}",
                        interaction.motion->dimension(), mesh.dimension));
+  if (interaction.motion && interaction.motion->moves() && !interaction.rigid_body.empty())
+    refuse("has an obstacle that belongs to a rigid body and has a motion of its own");
   if (mesh.axisymmetric && interaction.motion && (interaction.motion->turns() || interaction.motion->translates(0)))
     refuse("has an obstacle that moves off the axis of an axisymmetric mesh: it may translate along y only");
+}
+
+/// Returns how the obstacle moves; nothing if it rests.
+std::optional<FrameMotion> motion_of(const Model& model, const SurfaceInteraction& interaction) {
+  if (!interaction.rigid_body.empty()) {
+    const std::size_t body = model.rigid_bodies().find(interaction.rigid_body);
+    const auto first = model.first_number(body);
+    return FrameMotion(CarryingBody{&model.rigid_bodies()[body], first});
+  }
+  if (interaction.motion && interaction.motion->moves()) return FrameMotion(*interaction.motion);
+  return std::nullopt;
 }
 
 /// Returns "in or below the wall, least gap -0.5 at node 3 of the mesh at (1, -0.5)" if some gap is not above
@@ -150,10 +163,9 @@ void add_interaction(Model& model, const SurfaceInteraction& interaction) {
          make_friction_terms(mesh, mesh.side_sets[set], model.pattern(), friction, interaction.obstacle, options))
       terms.push_back(std::move(term));
   }
-  if (interaction.motion && interaction.motion->moves())
+  if (const auto motion = motion_of(model, interaction))
     for (auto& term : terms)
-      term = std::make_unique<MovedInteraction>(std::move(term), *interaction.motion, mesh, mesh.side_sets[set],
-                                                model.pattern());
+      term = std::make_unique<MovedInteraction>(std::move(term), *motion, mesh, mesh.side_sets[set], model.pattern());
   const bool positive = law->domain() == GapDomain::Positive;
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   const char* what = interaction.obstacle->half_space() != nullptr ? "wall" : "obstacle";

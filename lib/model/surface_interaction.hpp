@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "histories/rigid_motion.hpp"
 #include "model/model.hpp"
@@ -15,7 +16,8 @@ class Obstacle;
 struct SurfaceInteraction : SurfaceForces {
   std::shared_ptr<const Obstacle> obstacle;  ///< see make_obstacle(), flat_wall()
   std::optional<RigidMotion> motion{};       ///< of the obstacle, whose parameters are those of the place before it
-  double initial_time = 0;  ///< at which the surface at rest must be outside a moved obstacle [T0]; NaN: never
+  double initial_time = 0;   ///< at which the surface at rest must be outside a moved obstacle [T0]; NaN: never
+  std::string rigid_body{};  ///< of the model, which carries the obstacle; empty: none
 };
 
 /// Returns the law as it acts on a body of that dimension before that obstacle: cut off if the cutoff [L0] is not 0,

@@ -55,8 +55,11 @@ bool has(const Model& model, const std::string& interaction, SurfaceNumber numbe
   });
 }
 
-bool has_springs(const Model& model) {
-  return std::any_of(model.grips().begin(), model.grips().end(), [](const Grip& grip) { return !grip.rigid; });
+bool has_springs(const Model& model) { return model.has_supports(); }
+
+bool has_turning_bodies(const Model& model) {
+  return std::any_of(model.rigid_bodies().begin(), model.rigid_bodies().end(),
+                     [](const RigidBody& body) { return body.turns(); });
 }
 
 bool has_histories(const Model& model) {

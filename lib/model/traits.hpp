@@ -22,8 +22,10 @@ bool has_friction(const Model& model, const std::string& interaction);
 /// Returns whether the interaction of that name has such a number. Equal on all ranks.
 bool has(const Model& model, const std::string& interaction, SurfaceNumber number);
 
-/// Returns whether some grip has springs or dashpots.
+/// Returns whether some grip or rigid body has springs or dashpots.
 bool has_springs(const Model& model);
+/// Returns whether some rigid body turns.
+bool has_turning_bodies(const Model& model);
 /// Returns whether the forces of some term depend on its history. Equal on all ranks.
 bool has_histories(const Model& model);
 /// Returns whether some block has a viscosity.

@@ -25,14 +25,21 @@ class Handover final : public MemoryRecord {
   void field(const char* name, std::vector<double>& values, Extent extent) override {
     std::vector<double>& kept = of(name).numbers;
     const auto owned = static_cast<std::size_t>(space_.owned());
+    std::vector<double>& globals = of((std::string(name) + " of rigid bodies").c_str()).numbers;
     if (!loading()) {
       kept.assign(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(std::min(owned, values.size())));
+      if (extent == Extent::Local && !values.empty())
+        globals.assign(values.begin() + space_.first_global(), values.end());
       return;
     }
     values = kept;
     if (space_.maximum(kept.empty() ? 0 : 1) == 0) return;
     values.resize(extent == Extent::Local ? static_cast<std::size_t>(space_.local()) : owned, 0.0);
-    if (extent == Extent::Local) space_.update_ghosts(values.data());
+    if (extent == Extent::Owned) return;
+    space_.update_ghosts(values.data());
+    // Stages may have other bodies: those that are new begin in their places.
+    const auto shared = std::min(globals.size(), static_cast<std::size_t>(space_.globals().numbers));
+    std::copy_n(globals.begin(), shared, values.begin() + space_.first_global());
   }
   void all_shares(const char* name, std::vector<double>& values) override {
     values = of_all_ranks(of(name).numbers, space_.comm());

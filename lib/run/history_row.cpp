@@ -55,6 +55,26 @@ std::vector<double> HistoryRow::grip_columns(std::vector<double>& forces) const 
   return row;
 }
 
+/// Returns displacement and velocity of the centre of each rigid body, and unless the mesh is axisymmetric its rotation
+/// vector and its spin.
+std::vector<double> HistoryRow::body_columns() const {
+  const Model& model = simulation_.model();
+  const State& state = simulation_.integrator().state();
+  const int d = model.mesh().dimension;
+  std::vector<double> row;
+  for (std::size_t i = 0; i < model.rigid_bodies().size(); ++i) {
+    const RigidBody& body = model.rigid_bodies()[i];
+    const std::size_t first = model.first_number(i);
+    const double *const u = &state.u[first], *const v = &state.v[first];
+    row.insert(row.end(), u, u + d);
+    row.insert(row.end(), v, v + d);
+    if (model.mesh().axisymmetric) continue;
+    for (const std::array<double, 3>& turning : {body.rotation_vector(u), body.spin_in_space(u, v)})
+      row.insert(row.end(), turning.begin() + (d == 2 ? 2 : 0), turning.end());
+  }
+  return row;
+}
+
 std::vector<double> HistoryRow::forces() const {
   std::vector<double> forces = set_forces();
   grip_columns(forces);
@@ -138,6 +158,7 @@ RowValues HistoryRow::values(const RowCounts& counts) const {
   append(row, grip_columns(values.forces));
   for (const Probe& probe : simulation_.probes())
     for (const std::vector<double>* field : {&state.u, &state.v}) append(row, probe.point.value(model.space(), *field));
+  append(row, body_columns());
   append(row, interaction_columns(values));
   append(row, friction_columns(values));
   for (double dissipated : integrator.dissipations()) row.push_back(output.energies ? dissipated : empty);

@@ -47,6 +47,7 @@ class HistoryRow {
  private:
   std::vector<double> set_forces() const;
   std::vector<double> grip_columns(std::vector<double>& forces) const;
+  std::vector<double> body_columns() const;
   std::vector<double> interaction_columns(RowValues& values) const;
   std::vector<double> friction_columns(RowValues& values) const;
 

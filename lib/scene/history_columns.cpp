@@ -83,6 +83,12 @@ HistoryColumns history_columns(const Simulation& simulation) {
   }
   for (const Probe& probe : simulation.probes())
     for (const char* field : {"_u", "_v"}) columns.add("Output/Probes/" + probe.name, probe.name + field, axes);
+  for (const RigidBody& body : model.rigid_bodies()) {
+    const std::string path = "Rigid Bodies/" + body.name();
+    for (const char* field : {"_u", "_v"}) columns.add(path, body.name() + field, axes);
+    for (const char* field : {"_r", "_w"})
+      if (!mesh.axisymmetric) columns.add(path, body.name() + field, spins);
+  }
   if (has_interaction_columns(simulation.output(), simulation.interactions().size()))
     for (const std::string& name : model.interaction_names()) {
       const std::string path = "Interactions/" + name;

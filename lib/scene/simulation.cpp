@@ -39,6 +39,7 @@
 #include "scene/read/mesh_refinement.hpp"
 #include "scene/read/newton_options.hpp"
 #include "scene/read/obstacle_files.hpp"
+#include "scene/read/rigid_bodies.hpp"
 #include "scene/read/scene_mesh.hpp"
 #include "scene/read/scene_units.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
@@ -137,6 +138,8 @@ Simulation::Simulation(std::shared_ptr<Plan> plan, const Comm& comm, std::vector
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
   adaptation_ = read_adaptation(scene_node, interactions_);
+  if (adaptation_.on() && !scene_node.sublist("Rigid Bodies").sublists().empty())
+    throw InputError("Mesh/Adapt: rigid bodies do not pass from mesh to mesh yet; leave Adapt or Rigid Bodies out");
   build_model(comm, table.mass, splits);
   build_integrator(std::move(table));
   if (stage() == 0 && splits == nullptr)
@@ -336,20 +339,23 @@ void Simulation::build_model(const Comm& comm, Inertia inertia, const CellSplits
   // Stages on one mesh have one partition: states are handed over rank by rank.
   const std::vector<int> owner = plan_->owner.empty() ? partition(mesh, ranks, inertia) : plan_->owner;
   if (stages().any()) owner_ = owner;
+  const SceneNode scene(parameters_, "");
+  RigidBodies bodies = read_rigid_bodies(scene.sublist("Rigid Bodies"), mesh.dimension, mesh.axisymmetric);
   model_ = at("Materials", [&] {
-    return std::make_unique<Model>(local_mesh(mesh, owner, comm->getRank(), ranks, inertia), comm, materials_, inertia);
+    return std::make_unique<Model>(local_mesh(mesh, owner, comm->getRank(), ranks, inertia), comm, materials_, inertia,
+                                   std::move(bodies));
   });
   const StepControlOptions& control = step_control();
-  const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time, plan_->given,
                             inertia == Inertia::None);
   // A body at rest may be in the way of an obstacle that has moved by now: the state that a later stage is given
   // counts.
   const bool is_start = stage() == 0 && splits == nullptr;
   const double start = is_start ? control.initial_time : std::numeric_limits<double>::quiet_NaN();
-  add_interactions(interactions_, histories, start, *model_);
+  add_interactions(interactions_, scene.sublist("Rigid Bodies"), histories, start, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   add_grips(scene.sublist("Grips"), histories, *model_);
+  add_rigid_body_loads(scene.sublist("Rigid Bodies"), histories, *model_);
   at("Boundary Conditions", [&] { model_->check_tied_conditions(); });
   refuse_unused_histories(scene, interactions_, histories);
   if (!has_next_stage())
@@ -406,7 +412,10 @@ void Simulation::build_integrator(Table table) {
 std::vector<double> Simulation::given_velocities() const {
   const LocalMesh& mesh = model_->mesh();
   const SceneNode initial = SceneNode(parameters_, "").sublist("Initial Conditions");
-  return initial_velocities(initial_motions(initial, mesh.dimension, mesh.axisymmetric), *model_, materials_);
+  std::vector<double> v =
+      initial_velocities(initial_motions(initial, mesh.dimension, mesh.axisymmetric), *model_, materials_);
+  set_rigid_body_velocities(SceneNode(parameters_, "").sublist("Rigid Bodies"), *model_, v);
+  return v;
 }
 
 void Simulation::set_initial_state() {

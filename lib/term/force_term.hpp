@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rule/rule.hpp"
+#include "term/border.hpp"
 #include "term/term.hpp"
 
 namespace ixos {
@@ -83,6 +84,10 @@ class ForceTerm : public Term {
   virtual bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const;
   virtual void add_kept_tangent(const Segment& segment, const Rule& rule, Tangent kind, const KeptPoints& kept,
                                 double* values) const;
+
+  /// Adds the derivatives by, and of, what is no node's, at the segment and rule of the last add_tangent(),
+  /// add_kept_tangent() or TangentAction::linearize(). By default the force knows nothing of globals.
+  virtual void add_border(Border& /*border*/) const {}
 
   /// Returns the tangent as an operator; null if the term offers none.
   virtual std::unique_ptr<TangentAction> create_action() const { return nullptr; }

@@ -2,6 +2,7 @@
 #pragma once
 #include <stdexcept>
 
+#include "term/border.hpp"
 #include "term/term.hpp"
 
 namespace ixos {
@@ -19,6 +20,8 @@ class RateTerm : public Term {
   /// Adds the symmetric part of its derivative, the whole one if it is a gradient, to the matrix values laid out by the
   /// model's Pattern. The rest must be small, so that Newton's method converges without it.
   virtual void add_tangent(const Place& at, double* values) const = 0;
+  /// As ForceTerm::add_border(), for the last tangent.
+  virtual void add_border(Border& /*border*/) const {}
   /// Returns this rank's share of the energy whose gradient the stage's force is [E0 L0^D]. Called only if it is one.
   virtual double potential(const Place& at) const = 0;
 

@@ -1,5 +1,7 @@
 #include "time/acceleration.hpp"
 
+#include "time/body_steps.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,6 +24,8 @@ bool Acceleration::balance(const Place& at) {
   const bool admissible = forces_.evaluate(point);
   balance_.resize(local);
   forces_.sum(point, is_loaded ? load_.data() : nullptr, balance_.data());
+  std::copy(forces_.global_forces().begin(), forces_.global_forces().end(),
+            balance_.begin() + model_.space().first_global());
   for (double& value : balance_) value = 0.0 - value;
   return model_.space().minimum(admissible ? 1 : 0) > 0;
 }
@@ -32,6 +36,10 @@ bool Acceleration::solve(const Place& at, std::vector<double>& a) {
   a.assign(static_cast<std::size_t>(model_.space().local()), 0.0);
   const Mass* mass = model_.mass();
   if (!admissible || mass == nullptr) return admissible;
+  if (!model_.rigid_bodies().empty()) {
+    reactions_ = solve_body_accelerations(model_, at.u, at.v, balance_.data(), a.data());
+    drive_bodies(model_, time, nullptr, nullptr, a.data());
+  }
   if (!mass->is_lumped()) return solve_consistent(time, a);
   mass->divide(balance_.data(), a.data());
   double worst = 0;
@@ -60,13 +68,26 @@ bool Acceleration::solve_consistent(double time, std::vector<double>& a) {
   return mass_.solve(std::move(rhs_values), a.data());
 }
 
+void Acceleration::record_driving_forces(State& state) const {
+  if (model_.driven_globals().empty() || reactions_.empty()) return;
+  const auto first = static_cast<std::size_t>(model_.space().first_global());
+  state.load_on_globals.resize(reactions_.size(), 0.0);
+  std::vector<double> inertia(reactions_.size(), 0.0);
+  for (std::size_t i = 0; i < model_.rigid_bodies().size(); ++i)
+    model_.rigid_bodies()[i].add_inertia(1, &state.a[model_.first_number(i)], &inertia[RigidBodies::first(i)]);
+  for (const DrivenGlobal& driven : model_.driven_globals())
+    state.load_on_globals[driven.place - first] += inertia[driven.place - first] - reactions_[driven.place - first];
+}
+
 void Acceleration::record_forces(State& state) const {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   if (!model_.loads().empty()) {
     state.load.assign(state.u.size(), 0.0);
     model_.loads().add_force(state.time, 1.0, state.load.data());
+    state.load_on_globals.assign(state.load.begin() + model_.space().first_global(), state.load.end());
     state.load.resize(owned);
   }
+  record_driving_forces(state);
   if (model_.constraints().empty()) return;
   std::vector<double> inertia(owned, 0.0);
   if (model_.mass() != nullptr) model_.mass()->multiply(state.a.data(), inertia.data());

@@ -30,12 +30,14 @@ class Acceleration {
 
  private:
   bool solve_consistent(double time, std::vector<double>& a);
+  void record_driving_forces(State& state) const;
 
   const Model& model_;
   MassSolver mass_;
   Balance forces_;
-  std::vector<double> balance_;  ///< less the sum of forces: local, valid for owned entries
-  std::vector<double> load_;     ///< less the load: scratch, local
+  std::vector<double> balance_;    ///< less the sum of forces: local, valid for owned entries
+  std::vector<double> load_;       ///< less the load: scratch, local
+  std::vector<double> reactions_;  ///< less the sum of forces on globals, over ranks
 };
 
 }  // namespace ixos

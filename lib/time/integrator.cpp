@@ -14,6 +14,7 @@
 #include "model/term_sums.hpp"
 #include "model/traits.hpp"
 #include "rule/row_on_states.hpp"
+#include "time/body_steps.hpp"
 #include "time/compatibility.hpp"
 #include "time/displacement_error.hpp"
 #include "time/equilibrium.hpp"
@@ -43,7 +44,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
       balance_(model, linear_solver_),
       version_(model.discretization().version()),
       states_(table_.stages.size() + 1),
-      unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
+      unknown_(Teuchos::rcp(new Vector(model.space().unknown_map()))) {
   check(table_);
   check_compatible(model, table_);
   if (is_static(table_) != (model.mass() == nullptr))
@@ -62,7 +63,8 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
     if (given) given(iterate);
     if (watch_) watch_(iterate);
   };
-  has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
+  has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0 ||
+                  !model.driven_globals().empty();
   if (is_explicit(table_)) {
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);
     return;
@@ -117,6 +119,7 @@ void Integrator::begin_at(std::vector<double> u, std::vector<double> v, double t
   start.histories = model_.create_histories();
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
   model_.set_prescribed(time, start.u.data(), start.v.data(), nullptr);
+  drive_bodies(model_, time, start.u.data(), start.v.data(), nullptr);
   model_.initialize(known_states(states_, 1).front(), start.histories);
 }
 
@@ -144,6 +147,7 @@ void Integrator::resume(const State& state) {
   follow_slots();
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
   model_.set_prescribed(start.time, start.u.data(), start.v.data(), nullptr);
+  drive_bodies(model_, start.time, start.u.data(), start.v.data(), nullptr);
   find_forces();
 }
 
@@ -340,6 +344,8 @@ void Integrator::accept() {
     previous_.known = true;
   }
   previous_.dt = dt;
+  if (!model_.rigid_bodies().empty())
+    begin_body_steps(model_, table_.closing == Closing::Kinematic, states_.back(), {&previous_u_, &earlier_u_});
   // Compensated sum (Kahan), so that a million steps end at the right time.
   const double increment = dt - time_carry_;
   const double next = start.time + increment;

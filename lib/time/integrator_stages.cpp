@@ -4,18 +4,11 @@
 #include <utility>
 
 #include "rule/row_on_states.hpp"
+#include "time/body_steps.hpp"
 #include "time/guess_error.hpp"
 #include "time/integrator.hpp"
 
 namespace ixos {
-namespace {
-
-void copy_owned(const std::vector<double>& local, Vector& owned) {
-  const auto view = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  std::copy_n(local.data(), view.extent(0), view.data());
-}
-
-}  // namespace
 
 /// Returns the predictor itself, or the one to use in its place.
 Predictor Integrator::usable(Predictor predictor) const {
@@ -52,6 +45,8 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
   predictor = usable(predictor);
   look_ahead(predictor, stage, (table_.stages[stage].end - start) * dt, guess);
   if (predictor != Predictor::LastDisplacement) solver(stage).problem.clip(states_[stage].u, guess);
+  keep_attitudes(model_, states_[stage].u, guess);
+  drive_bodies(model_, solver(stage).problem.time(), guess.data(), nullptr, nullptr);
   // Extrapolation would let the rounding across planes grow.
   model_.constraints().planes().project(guess.data(), model_.mesh().nodes());
 }
@@ -85,7 +80,7 @@ void Integrator::look_back(double dt) {
 NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<double>& u) {
   const auto solve_from = [&](Predictor predictor) {
     predict(predictor, stage, dt, u);
-    copy_owned(u, *unknown_);
+    model_.space().take(u.data(), *unknown_);
     return solver(stage).newton.solve(*unknown_);
   };
   NewtonResult result = solve_from(table_.predictor);
@@ -111,7 +106,7 @@ NewtonResult Integrator::solve_from_nearby(std::size_t stage, double dt, std::ve
   StageSolver nearby(*this, other, false);
   nearby.problem.arm(stage, states_, dt, memories_);
   predict(Predictor::LastDisplacement, stage, dt, u);
-  copy_owned(u, *unknown_);
+  model_.space().take(u.data(), *unknown_);
   NewtonResult result = nearby.newton.solve(*unknown_);
   if (!result.converged) return result;
   const int spent = result.iterations;
@@ -135,8 +130,11 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   derive(row.velocity, dt, end.v);
   if (table_.closing == Closing::Kinematic) {
     derive(row.acceleration, dt * dt, end.a);
-    if (has_exact_rates(table_))
-      model_.set_prescribed(solver(stage).problem.time(), nullptr, end.v.data(), end.a.data());
+    if (has_exact_rates(table_)) {
+      const double time = solver(stage).problem.time();
+      model_.set_prescribed(time, nullptr, end.v.data(), end.a.data());
+      drive_bodies(model_, time, nullptr, end.v.data(), end.a.data());
+    }
   }
   end.u = std::move(u);
   end.time = solver(stage).problem.time();

@@ -95,6 +95,11 @@ void Integrator::transfer_derived(Record& record) {
   State& state = states_.front();
   record.field("acceleration", state.a, Extent::Local);
   record.field("load", state.load, Extent::Owned);
+  if (!model_.loads().empty() || !model_.driven_globals().empty()) {
+    state.load_on_globals.resize(static_cast<std::size_t>(model_.space().globals().numbers));
+    for (std::size_t i = 0; i < state.load_on_globals.size(); ++i)
+      record.number(("load on global " + std::to_string(i + 1)).c_str(), state.load_on_globals[i]);
+  }
   record.field("reaction", state.reaction, Extent::Owned);
   record.number("dissipated before", dissipated_before_);
   for (std::size_t i = 0; i < dissipations_.size(); ++i)

@@ -29,8 +29,13 @@ Potential StageProblem::potential(const Vector& x) {
     add(dot(bracket, product, owned) / (2 * stage_->inertia.unknown * dt_ * dt_));
   }
   if (balance_.sums().has_rates()) add(balance_.sums().rate_potential(at.elastic.end()));
-  for (std::size_t i = 0; i < owned; ++i) bracket[i] = u[i] - start_->u[i];
-  add(dot(kept_, bracket, owned));
+  for (std::size_t i = 0; i < owned; ++i) product[i] = u[i] - start_->u[i];
+  add(dot(kept_, product, owned));
+  if (bodies_) {
+    const Potential globals = globals_potential(u, bracket);
+    sum.value += globals.value;
+    sum.magnitude += globals.magnitude;
+  }
   double sums[2] = {sum.value, sum.magnitude};
   model_.space().sum(sums, 2);
   return {sums[0], sums[1]};

@@ -9,6 +9,7 @@
 #include "base/dot.hpp"
 #include "base/phase_timer.hpp"
 #include "rule/row_on_states.hpp"
+#include "time/body_steps.hpp"
 
 namespace ixos {
 
@@ -60,6 +61,12 @@ StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free, b
       assemble(values);
       if (!model_.constraints().empty()) model_.constrained_entries().constrain(diagonal_, values);
     }));
+  if (!model.rigid_bodies().empty()) {
+    const GlobalUnknowns& globals = model.space().globals();
+    bodies_ = std::make_unique<BodyStage>(model);
+    globals_.resize(static_cast<std::size_t>(globals.numbers));
+    border_ = Border(local, globals.free, globals.numbers);
+  }
   if (model.constraints().empty()) return;
   product_.resize(local);
   reaction_.resize(static_cast<std::size_t>(model.space().owned()));
@@ -105,7 +112,8 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   start_ = &known[0];
   step_ = &step;
   ++arm_;
-  has_potential_ = is_symmetric(model_, *stage_) && rates_are_gradients(model_, stage_->rate_form);
+  has_potential_ = is_symmetric(model_, *stage_) && rates_are_gradients(model_, stage_->rate_form) &&
+                   !(has_mass_ && has_turning_bodies(model_));
   const std::vector<KnownState> states = known_states(known, stage + 1);
   if (has_mass_) evaluate_known(stage_->inertia, states, dt, known_inertia_);
   const bool path_velocity = stage_->elastic.uses_velocity() || stage_->interaction.uses_velocity();
@@ -115,6 +123,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
     model_.constraints().set(stage_time_, prescribed_.data(), exact_rates_ ? prescribed_velocity_.data() : nullptr,
                              exact_rates_ ? prescribed_acceleration_.data() : nullptr);
   begin_stage(states, step);
+  if (bodies_) bodies_->arm(table_, stage, states, dt);
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
@@ -156,6 +165,13 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   stiffness_ = model_.scales().elastic * (1 + largest_viscosity(model_) * rate / dt);
   rounding_ = rounding_force(known[0], coefficient);
   diagonal_ = coefficient * model_.scales().mass + model_.scales().elastic;
+  if (bodies_) {
+    // What is no unknown stays as it is throughout the step.
+    const auto first = static_cast<std::ptrdiff_t>(model_.space().first_global());
+    std::copy(start_->u.begin() + first, start_->u.end(), u_.begin() + first);
+    drive_bodies(model_, stage_time_, u_.data(), nullptr, nullptr);
+    at_u_ = {};
+  }
   if (!has_mass_) reach_ = reach(known[0]);
 }
 
@@ -199,6 +215,10 @@ double StageProblem::rounding_force(const State& start, double coefficient) {
     squares[0] = dot(product_, product_, owned);
     model_.mass()->multiply(start.v.data(), product_.data());
     squares[1] = dot(product_, product_, owned);
+  }
+  if (bodies_ && has_mass_ && model_.space().comm()->getRank() == 0) {
+    squares[0] += bodies_->square_of_inertia(start.u.data());
+    squares[1] += bodies_->square_of_inertia(start.v.data());
   }
   model_.space().sum(squares, 4);
   // u_s is rounded, and so is the difference s (u_s - u_0) - s dt v - ... that makes the inertia.
@@ -278,13 +298,26 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   double* out = view.data();
   balance_.sum(at, kept_.data(), out);
+  if (bodies_) sum_globals();
   constrain_residual(out);
+  for (std::size_t i = owned; i < view.extent(0); ++i)
+    out[i] = globals_[static_cast<std::size_t>(model_.space().globals().free[i - owned])];
   return true;
 }
 
 void StageProblem::record_forces(State& state) const {
   const auto owned = static_cast<std::ptrdiff_t>(model_.space().owned());
-  if (!load_.empty()) state.load.assign(load_.begin(), load_.begin() + owned);
+  if (!load_.empty()) {
+    state.load.assign(load_.begin(), load_.begin() + owned);
+    state.load_on_globals.assign(load_.begin() + model_.space().first_global(), load_.end());
+  }
+  if (!model_.driven_globals().empty()) {
+    // What is left over of the balance drives them.
+    const auto first = static_cast<std::size_t>(model_.space().first_global());
+    if (load_.empty()) state.load_on_globals.assign(globals_.size(), 0.0);
+    for (const DrivenGlobal& driven : model_.driven_globals())
+      state.load_on_globals[driven.place - first] += globals_[driven.place - first];
+  }
   state.reaction = reaction_;
 }
 

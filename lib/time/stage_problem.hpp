@@ -1,5 +1,6 @@
 /// The stages of a scheme as nonlinear problems.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "balance/balance.hpp"
@@ -8,9 +9,12 @@
 #include "model/traits.hpp"
 #include "solve/newton/nonlinear_problem.hpp"
 #include "state/state.hpp"
+#include "time/body_stage.hpp"
 #include "time/table.hpp"
 
 namespace ixos {
+
+class BorderedOperator;
 
 /// Returns whether the stage's rules are gradients for all terms of the model, so that its tangent is symmetric. Rate
 /// terms have symmetric tangents in any case.
@@ -44,7 +48,8 @@ class StageProblem final : public NonlinearProblem {
   /// Puts mean load and reactions at the last x that residual() saw into the state.
   void record_forces(State& state) const;
 
-  Teuchos::RCP<const Map> map() const override { return model_.space().owned_map(); }
+  Teuchos::RCP<const Map> map() const override { return model_.space().unknown_map(); }
+  bool is_bordered() const override { return model_.space().has_globals(); }
   Teuchos::RCP<Operator> create_operator() override;
   bool residual(const Vector& x, Vector& f) override;
   void tangent(const Vector& x, Operator& w) override;
@@ -86,6 +91,11 @@ class StageProblem final : public NonlinearProblem {
   double shift() const;
   bool is_reached(std::size_t dof, double value) const;
   void constrain_residual(double* out);
+  void sum_globals();
+  void move_globals(const std::vector<double>& missing);
+  void find_border();
+  void take_border(BorderedOperator& w);
+  Potential globals_potential(const std::vector<double>& u, const std::vector<double>& bracket) const;
   double rounding_force(const State& start, double coefficient);
   double reach(const State& start) const;
 
@@ -152,6 +162,9 @@ class StageProblem final : public NonlinearProblem {
   TangentAt tangent_at_;
   std::vector<double> values_;                 ///< the values of that tangent, if it is a matrix
   Teuchos::RCP<TangentOperator> matrix_free_;  ///< null if the tangent is a matrix
+  std::unique_ptr<BodyStage> bodies_;          ///< null without rigid bodies
+  std::vector<double> globals_;                ///< forces on globals at the last residual, summed over ranks
+  Border border_;
   mutable std::vector<double> direction_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/phase_timer.hpp"
+#include "solve/bordered/bordered_operator.hpp"
 #include "time/stage_problem.hpp"
 
 namespace ixos {
@@ -69,16 +70,20 @@ void StageProblem::linearize() {
 }
 
 Teuchos::RCP<Operator> StageProblem::create_operator() {
-  if (nonnull(matrix_free_)) return matrix_free_;
-  return model_.pattern().create_matrix(model_.space());
+  Teuchos::RCP<Operator> nodal = matrix_free_;
+  if (nodal.is_null()) nodal = model_.pattern().create_matrix(model_.space());
+  if (!is_bordered()) return nodal;
+  return Teuchos::rcp(new BorderedOperator(nodal, model_.space()));
 }
 
 /// Returns whether u_ is x, on all ranks, so that its ghosts need no exchange.
 bool StageProblem::is_at(const Vector& x) const {
   if (at_u_.imported != arm_) return false;
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
   bool same = true;
-  for (std::size_t i = 0; i < view.extent(0); ++i) same = same && view(i, 0) == u_[i];
+  for (std::size_t i = 0; i < view.extent(0); ++i)
+    same = same && view(i, 0) == (i < owned ? u_[i] : u_[model_.space().place_of_free(i - owned)]);
   return model_.space().minimum(same ? 1 : 0) > 0;
 }
 
@@ -86,11 +91,14 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
   const TimedScope timed(Phase::Tangent);
   if (!is_at(x)) move_to(x);
   if (mixed_ && !iterates_.are_left) take_iterate();
+  auto* const bordered = dynamic_cast<BorderedOperator*>(&w);
   if (nonnull(matrix_free_)) {
     if (!has_tangent()) linearize();
+    if (bordered != nullptr) take_border(*bordered);
     return;
   }
-  const auto matrix = dynamic_cast<CrsMatrix&>(w).getLocalMatrixHost();
+  Operator& nodal = bordered != nullptr ? *bordered->nodal() : w;
+  const auto matrix = dynamic_cast<CrsMatrix&>(nodal).getLocalMatrixHost();
   double* values = matrix.values.data();
   if (has_tangent()) {
     std::copy(values_.begin(), values_.end(), values);
@@ -98,6 +106,7 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
     assemble(values);
   }
   if (!model_.constraints().empty()) model_.constrained_entries().constrain(diagonal_, values);
+  if (bordered != nullptr) take_border(*bordered);
 }
 
 }  // namespace ixos

@@ -18,9 +18,13 @@ Array difference(const Array& a, const Array& b) {
   return result;
 }
 
-/// Returns the product over owned entries with the state's load and reaction, if there are any.
-double with_external(const Array& x, const State& state) {
-  return dot(x, state.load, state.load.size()) + dot(x, state.reaction, state.reaction.size());
+/// Returns the product over owned entries, and over globals on the first rank, with the state's load and reaction, if
+/// there are any.
+double with_external(const Model& model, const Array& x, const State& state) {
+  double sum = dot(x, state.load, state.load.size()) + dot(x, state.reaction, state.reaction.size());
+  if (model.space().comm()->getRank() == 0)
+    sum += dot(x.data() + model.space().first_global(), state.load_on_globals.data(), state.load_on_globals.size());
+  return sum;
 }
 
 /// Returns d . M dv + du . M e/dt on driven degrees of freedom.
@@ -46,13 +50,13 @@ double work_of_external_forces(const Model& model, const Table& table, const std
   const Array du = difference(end.u, start.u);
   double sum = 0;
   if (table.work.form == WorkSum::Form::Increment) {
-    sum = with_external(du, end);
+    sum = with_external(model, du, end);
   } else if (table.work.form == WorkSum::Form::EndMean) {
-    sum = (with_external(du, start) + with_external(du, end)) / 2;
+    sum = (with_external(model, du, start) + with_external(model, du, end)) / 2;
     if (model.mass() != nullptr && model.constraints().driven()) sum += exact_rate_work(model, start, end, du, dt);
   } else {
     for (std::size_t i = 0; i < states.size(); ++i)
-      sum += dt * table.work.weights[i] * with_external(states[i].v, states[i]);
+      sum += dt * table.work.weights[i] * with_external(model, states[i].v, states[i]);
   }
   model.space().sum(&sum, 1);
   return sum;

@@ -28,15 +28,17 @@ std::string on_rank(const Model& model) {
   return comm->getSize() == 1 ? "" : fmt::format(" on rank {}", comm->getRank());
 }
 
-/// Returns the numbers of an array of the rank's nodes x dimension. Throws InputError for another shape and for what is
-/// no array of numbers.
-Values numbers(const py::object& object, const std::string& name, const Model& model) {
+/// Returns the numbers of an array of the rank's nodes x dimension as a local array, in which rigid bodies keep what
+/// they have in `state`. Throws InputError for another shape and for what is no array of numbers.
+Values numbers(const py::object& object, const std::string& name, const Values& state, const Model& model) {
   const Numbers given = real_numbers(object, name + on_rank(model));
   const int nodes = model.mesh().nodes(), d = model.space().dimension();
   if (given.ndim() != 2 || given.shape(0) != nodes || given.shape(1) != d)
     throw InputError(fmt::format("{}{}: the array has the shape {}; ({}, {}) is needed, nodes x dimension", name,
                                  on_rank(model), py::str(given.attr("shape")).cast<std::string>(), nodes, d));
-  return Values(given.data(), given.data() + given.size());
+  Values values(given.data(), given.data() + given.size());
+  values.insert(values.end(), state.begin() + model.space().first_global(), state.end());
+  return values;
 }
 
 /// Throws InputError for an owned node's number that is not finite, or differs from that of the scene's conditions.
@@ -109,8 +111,8 @@ void set_state(LiveSimulation& live, const py::object& given_u, const py::object
   Values u, v;
   std::string problem;
   try {
-    u = given_u.is_none() ? state.u : numbers(given_u, "u", model);
-    v = given_v.is_none() ? state.v : numbers(given_v, "v", model);
+    u = given_u.is_none() ? state.u : numbers(given_u, "u", state.u, model);
+    v = given_v.is_none() ? state.v : numbers(given_v, "v", state.v, model);
   } catch (const InputError& error) {
     problem = error.what();
   }
@@ -138,7 +140,8 @@ py::array constrained(const LiveSimulation& live) {
   const Model& model = live.model();
   const py::ssize_t d = model.space().dimension(), nodes = model.mesh().nodes();
   py::array_t<bool> result({nodes, d});
-  for (int dof = 0; dof < model.space().local(); ++dof) result.mutable_data()[dof] = model.constraints().holds(dof);
+  for (int dof = 0; dof < model.space().first_global(); ++dof)
+    result.mutable_data()[dof] = model.constraints().holds(dof);
   return result;
 }
 

@@ -1,4 +1,6 @@
 // The present state as views.
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "live_simulation.hpp"
@@ -8,10 +10,12 @@ namespace py = pybind11;
 namespace ixos::python {
 namespace {
 
-/// Returns nodes x dimension. Arrays of the owned nodes are empty without loads or constraints.
+/// Returns nodes x dimension, without the numbers of rigid bodies. Arrays of the owned nodes are empty without loads or
+/// constraints.
 py::array by_node(const std::vector<double>& values, const py::object& self) {
-  const py::ssize_t d = self.cast<const LiveSimulation&>().model().space().dimension();
-  return view(values.data(), {static_cast<py::ssize_t>(values.size()) / d, d}, self);
+  const Model& model = self.cast<const LiveSimulation&>().model();
+  const py::ssize_t d = model.space().dimension(), nodes = model.mesh().nodes();
+  return view(values.data(), {std::min(static_cast<py::ssize_t>(values.size()) / d, nodes), d}, self);
 }
 
 py::array acceleration(const py::object& self) {

@@ -120,6 +120,9 @@ def scene_forms(schemes):
                                                "Mesh/Parts/backing/Box/Divisions={12, 12}", FINAL + "0.5"]
     yield "strip-front", "strip-front", [FINAL + "14"]
     yield "sphere-front", "sphere-front", ["Mesh/Box/Divisions={4, 4, 2}", FINAL + "0.8"]
+    yield "drop", "drop", [FINAL + "0.06"]
+    yield "drop, two ranks", "drop", [FINAL + "0.06", SCHEME + "Average Vector Field"], 2
+    yield "roll", "roll", [FINAL + "0.1"]
     yield "press-wait-pull", "press-wait-pull", ["Stages/Pull/" + FINAL + "10"]
     yield "afm", "afm", [FINAL + "0.5"]
     yield "afm-rough", "afm-rough", ROUGH

@@ -89,6 +89,22 @@ void check_pairs(const std::vector<SceneInteraction>& interactions, const Table&
   }
 }
 
+/// Refuses what rigid bodies cannot have.
+void check_bodies(const SceneNode& scene, const std::vector<SceneInteraction>& interactions, const Table& table) {
+  for (const SceneNode& body : scene.sublist("Rigid Bodies").sublists()) {
+    if (is_explicit(table))
+      throw InputError(body.path() + ": the longest stable step of the explicit scheme \"" + table.name +
+                       "\" does not know rigid bodies; use an implicit scheme");
+    const bool touches = std::any_of(interactions.begin(), interactions.end(),
+                                     [&](const SceneInteraction& own) { return own.rigid_body == body.name(); });
+    if (is_static(table) && !touches)
+      throw InputError(
+          body.path() +
+          ": nothing holds the body, which no interaction names as its Rigid Body; in equilibrium it has no "
+          "place of its own");
+  }
+}
+
 }  // namespace
 
 void check_compatibility(const SceneNode& scene, const std::vector<Material>& materials,
@@ -98,6 +114,7 @@ void check_compatibility(const SceneNode& scene, const std::vector<Material>& ma
   check_materials(scene.sublist("Materials"), materials, table);
   check_friction(interactions, table);
   check_pairs(interactions, table);
+  check_bodies(scene, interactions, table);
 }
 
 }  // namespace ixos

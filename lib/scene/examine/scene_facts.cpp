@@ -178,7 +178,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
   facts.motions = driving.motions();
   facts.loaded = driving.has_loads();
   facts.moves = driving.moves() || std::any_of(interactions.begin(), interactions.end(), [](const auto& interaction) {
-                  return !interaction.motion.histories().empty();
+                  return interaction.moves();
                 });
   for (const SurfaceNumbers& surface : numbers.surfaces) {
     const SceneInteraction& interaction = interactions[surface.interaction];
@@ -189,7 +189,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
     own.rest_gap = rest_gap(*interaction.law);
     own.repulsion = std::max(0.0, static_cast<double>(interaction.law->traction(Pack(surface.least_gap))[0]));
     own.open_cut = open_cut(scene, mesh, mesh.side_sets[surface.side_set], parts, surface.normal);
-    own.moved = !interaction.motion.histories().empty();
+    own.moved = interaction.moves();
     own.never_bonds = surface.never_bonds ||
                       (own.moved && !interaction.law->bonds_later() && surface.least_gap >= interaction.law->range() &&
                        begins_in_place(interaction, histories, control, mesh.dimension));

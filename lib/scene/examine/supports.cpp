@@ -72,7 +72,7 @@ class Supports {
     const SideSet* set = find_set(mesh_.side_sets, interaction.side_set);
     if (set == nullptr) return;
     const auto obstacle = obstacles().make(interaction.node, static_cast<std::size_t>(mesh_.dimension));
-    const bool turns = !interaction.motion.histories().empty() && interaction.node.text("Obstacle") != "Half-Space";
+    const bool turns = interaction.moves() && interaction.node.text("Obstacle") != "Half-Space";
     for (const int node : nodes_of(*set)) {
       const Point x = place(node);
       const ObstacleGap found = obstacle->at({x[0], x[1], x[2]});

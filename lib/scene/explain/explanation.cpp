@@ -20,6 +20,7 @@
 #include "scene/read/friction.hpp"
 #include "scene/read/grips.hpp"
 #include "scene/read/mesh_parts.hpp"
+#include "scene/read/rigid_bodies.hpp"
 #include "scene/read/scene_units.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
@@ -161,6 +162,9 @@ std::string surroundings(const Simulation& simulation) {
       text += fmt::format("  Factor: the nodal field \"{}\" of the mesh file\n", interaction.factor_field);
     if (!interaction.motion.histories().empty())
       text += fmt::format("  The obstacle is {}; its work is part of external_work\n", interaction.motion.in_words());
+    if (!interaction.rigid_body.empty())
+      text += fmt::format("  The obstacle belongs to the rigid body {}, and its forces act on that\n",
+                          interaction.rigid_body);
     if (interaction.friction.type != FrictionType::None) text += friction_of(interaction, simulation.model().mesh());
     if (interaction.cutoff > 0) {
       const GapLaw& law = *interaction.law;
@@ -177,6 +181,7 @@ std::string surroundings(const Simulation& simulation) {
   if (has_interaction_columns(simulation.output(), simulation.interactions().size()))
     text += "Force, moment, contact measure and least gap of each interaction are columns of history.csv\n";
   text += grips_in_words(SceneNode(simulation.parameters(), "").sublist("Grips"));
+  text += rigid_bodies_in_words(simulation.model().rigid_bodies(), simulation.model().mesh().dimension);
   const List& conditions = simulation.parameters().sublist("Boundary Conditions");
   for (const auto& [name, entry] : entries(conditions)) {
     const List& list = conditions.sublist(name);

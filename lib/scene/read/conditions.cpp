@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "model/conditions.hpp"
 #include "scene/read/grips.hpp"
+#include "scene/read/rigid_bodies.hpp"
 
 namespace ixos {
 namespace {
@@ -83,6 +84,8 @@ void refuse_unused_histories(const SceneNode& scene, const std::vector<SceneInte
     for (const std::string& name : read_grip(node).histories()) used.push_back(name);
   for (const SceneInteraction& interaction : interactions)
     for (const std::string& name : interaction.motion.histories()) used.push_back(name);
+  for (const SceneNode& node : scene.sublist("Rigid Bodies").sublists())
+    for (const std::string& name : read_rigid_body(node).all_histories()) used.push_back(name);
   for (const auto& [name, function] : histories.given()) {
     if (std::find(used.begin(), used.end(), name) != used.end()) continue;
     const std::string hint = used.empty() ? "" : fmt::format("; did you mean \"{}\"?", closest_name(name, used));

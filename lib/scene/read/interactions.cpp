@@ -22,6 +22,7 @@
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
 #include "scene/read/friction.hpp"
+#include "scene/read/rigid_bodies.hpp"
 
 namespace ixos {
 namespace {
@@ -107,6 +108,10 @@ const Options<InteractionSettings>& options() {
           .sublist("Motion", &InteractionSettings::motion, motion_options(),
                    "Motion of the obstacle as a rigid body. Its parameters describe it before the motion. If all "
                    "entries are empty, it rests.")
+          .add("Rigid Body", &InteractionSettings::rigid_body,
+               "Name of a list of Rigid Bodies, to which the obstacle belongs: it moves with that body, and the "
+               "surface's "
+               "forces act on it. The obstacle's parameters describe it before the motion. Empty: none.")
           .sublist("Friction", &InteractionSettings::friction, friction_options(),
                    "Resistance to slip along the obstacle or the other body, scaled by Factor; axisymmetric: in the "
                    "meridional plane.");
@@ -132,8 +137,8 @@ std::vector<double> local_values(const std::vector<double>& values, const LocalM
   return local;
 }
 
-void add_interaction(const SceneInteraction& interaction, const Histories& histories, double initial_time,
-                     Model& model) {
+void add_interaction(const SceneInteraction& interaction, const SceneNode& bodies, const Histories& histories,
+                     double initial_time, Model& model) {
   const SceneNode& node = interaction.node;
   at(node.path_of("Side Set"), [&] { return model.mesh().side_set(interaction.side_set); });
   const auto complete = [&](SurfaceForces& forces) {
@@ -148,7 +153,14 @@ void add_interaction(const SceneInteraction& interaction, const Histories& histo
   SurfaceInteraction wall{interaction, {}, {}, initial_time};
   complete(wall);
   wall.obstacle = obstacles().make(node, static_cast<std::size_t>(model.mesh().dimension));
-  wall.motion = rigid_motion(node.sublist("Motion"), interaction.motion, histories, model.mesh().dimension);
+  wall.rigid_body = interaction.rigid_body;
+  const int d = model.mesh().dimension;
+  wall.motion = rigid_motion(node.sublist("Motion"), interaction.motion, histories, d);
+  if (const auto whole = prescribed_motion(bodies, wall.rigid_body, histories, d, model.mesh().axisymmetric)) {
+    wall.motion = whole;
+    wall.rigid_body.clear();
+  }
+  if (!wall.rigid_body.empty()) at(node.path_of("Rigid Body"), [&] { model.rigid_bodies().find(wall.rigid_body); });
   at(node.path(), [&] { ixos::add_interaction(model, wall); });
 }
 
@@ -160,6 +172,12 @@ void check(const SceneInteraction& own) {
     own.node.refuse_value(refusal->setting, refusal->value, refusal->why);
   if (own.is_pair() && !own.motion.histories().empty())
     own.node.refuse("Motion", "moves an obstacle, and an interaction with a Primary Side Set has none; leave it empty");
+  if (own.is_pair() && !own.rigid_body.empty())
+    own.node.refuse("Rigid Body",
+                    "carries an obstacle, and an interaction with a Primary Side Set has none; leave it empty");
+  if (!own.rigid_body.empty() && !own.motion.histories().empty())
+    own.node.refuse("Motion",
+                    "moves an obstacle that belongs to a Rigid Body, which moves it; leave one of them empty");
   if (own.friction.type != FrictionType::None)
     at(own.node.path_of("Friction/Type"), [&] { FrictionLaw(own.friction, own.law); });
 }
@@ -273,9 +291,10 @@ void enrich_surfaces(std::vector<SceneInteraction>& interactions, Mesh& mesh) {
   check_cells(mesh);
 }
 
-void add_interactions(const std::vector<SceneInteraction>& interactions, const Histories& histories,
-                      double initial_time, Model& model) {
-  for (const SceneInteraction& interaction : interactions) add_interaction(interaction, histories, initial_time, model);
+void add_interactions(const std::vector<SceneInteraction>& interactions, const SceneNode& bodies,
+                      const Histories& histories, double initial_time, Model& model) {
+  for (const SceneInteraction& interaction : interactions)
+    add_interaction(interaction, bodies, histories, initial_time, model);
 }
 
 }  // namespace ixos

@@ -23,6 +23,10 @@ struct InteractionSettings : SurfacePair {
   std::string factor_text{};   ///< expression of the factor; empty: none
   std::string factor_field{};  ///< nodal field of the mesh file; empty: none
   MotionOptions motion{};      ///< of the obstacle
+  std::string rigid_body{};    ///< to which the obstacle belongs; empty: none
+
+  /// Returns whether the obstacle moves, by histories or with a rigid body.
+  bool moves() const { return !motion.histories().empty() || !rigid_body.empty(); }
 };
 
 /// One list of "Interactions", read once. The factor's values at nodes are not in SurfaceForces::nodal_factor, which
@@ -66,9 +70,9 @@ const std::string& name_of(ContactElement element);
 /// fitting_element(). Throws InputError with the list path.
 void enrich_surfaces(std::vector<SceneInteraction>& interactions, Mesh& mesh);
 
-/// Adds the interactions to the model. Throws InputError, with the list path, if one does not fit the mesh, or its
-/// surface is in or below the obstacle at the initial time. Collective.
-void add_interactions(const std::vector<SceneInteraction>& interactions, const Histories& histories,
-                      double initial_time, Model& model);
+/// Adds the interactions to the model. `bodies`: the list "Rigid Bodies". Throws InputError, with the list path, if one
+/// does not fit the mesh, or its surface is in or below the obstacle at the initial time. Collective.
+void add_interactions(const std::vector<SceneInteraction>& interactions, const SceneNode& bodies,
+                      const Histories& histories, double initial_time, Model& model);
 
 }  // namespace ixos

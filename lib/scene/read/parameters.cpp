@@ -16,6 +16,7 @@
 #include "scene/read/mesh_refinement.hpp"
 #include "scene/read/mesh_sets.hpp"
 #include "scene/read/newton_options.hpp"
+#include "scene/read/rigid_bodies.hpp"
 #include "scene/read/scene_mesh.hpp"
 #include "scene/read/stages.hpp"
 #include "scene/read/stop.hpp"
@@ -141,6 +142,11 @@ List make_scene_parameters() {
                             "One list for each grip: a node set that moves as a rigid body, or that springs and "
                             "dashpots hold to one. Its name heads the columns of its force and moment.")
                    .sublist(any_name));
+  declare_rigid_body(scene
+                         .sublist("Rigid Bodies", false,
+                                  "One list for each rigid body that moves by its own dynamics. Obstacles belong to it "
+                                  "by the entry Rigid Body of their interactions.")
+                         .sublist(any_name));
   declare_initial_conditions(scene.sublist("Initial Conditions", false, "Velocities at the initial time."));
   add_time_integrator(scene.sublist("Time Integrator", false, "Time integration scheme and its steps."));
   declare_newton(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)."));

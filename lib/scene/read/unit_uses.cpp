@@ -63,6 +63,13 @@ UnitUses::UnitUses(const List& scene, const List& valid, int dimension)
     if (motion.isType<std::string>("Rotation")) histories_[motion.get<std::string>("Rotation")].insert("angle");
     for (const std::string& history : texts(motion, "Translation")) histories_[history].insert("motion");
   };
+  const List bodies = sublist(scene, "Rigid Bodies");
+  for (const auto& [name, entry] : entries(bodies))
+    for (const char* const history : {"Force History", "Moment History"})
+      if (const List body = sublist(bodies, name); body.isType<std::string>(history))
+        histories_[body.get<std::string>(history)].insert("load");
+  for (const auto& [name, entry] : entries(bodies))
+    for (const std::string& history : texts(sublist(bodies, name), "Base")) histories_[history].insert("motion");
   const List grips = sublist(scene, "Grips"), interactions = sublist(scene, "Interactions");
   for (const auto& [name, entry] : entries(grips)) add_motion(sublist(grips, name));
   for (const auto& [name, entry] : entries(interactions)) add_motion(sublist(sublist(interactions, name), "Motion"));
@@ -77,6 +84,7 @@ std::set<std::string> UnitUses::of(const std::vector<std::string>& path, const L
     const std::string type = text(list, "Type", condition_);
     return {type, type + " in " + dimension_};
   }
+  if (path.size() == 2 && path[0] == "Rigid Bodies") return {"body in " + dimension_};
   if (path.size() == 2 && path[0] == "Grips") return {"grip in " + dimension_};
   if (path.size() == 4 && path[1] == "Stop" && path[3] == "Reaction") return {"set in " + dimension_};
   if (path.size() == 4 && path[1] == "Stop")

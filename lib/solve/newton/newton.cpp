@@ -14,6 +14,7 @@
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "parameters/parameter_entries.hpp"
+#include "solve/bordered/bordered_solver.hpp"
 #include "solve/kept_state.hpp"
 #include "solve/newton/admissible_line_search.hpp"
 #include "solve/newton/descent_direction.hpp"
@@ -138,7 +139,7 @@ struct NewtonSolver::Implementation {
         maximum_iterations(options.maximum_iterations),
         corrects(options.corrects),
         linear(linear_solver.strategy()),
-        evaluator(Teuchos::rcp(new ProblemEvaluator(given, linear))),
+        evaluator(Teuchos::rcp(new ProblemEvaluator(given, whole(given, linear)))),
         guess(Thyra::createMember(evaluator->get_x_space())),
         force(Teuchos::rcp(new ForceTest(given, options))),
         lost(Teuchos::rcp(new LostTest(given))),
@@ -148,6 +149,12 @@ struct NewtonSolver::Implementation {
     tests->addStatusTest(force);
     tests->addStatusTest(lost);
     tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(options.maximum_iterations)));
+  }
+
+  /// Returns the solver of the whole system, given that of the nodes'.
+  static ProblemEvaluator::Factory whole(const NonlinearProblem& problem, const ProblemEvaluator::Factory& nodal) {
+    if (!problem.is_bordered()) return nodal;
+    return Teuchos::rcp(new BorderedSolverFactory(nodal));
   }
 
   /// Reads NOX's list; evaluates nothing.
@@ -185,7 +192,7 @@ struct NewtonSolver::Implementation {
   /// x as it is.
   void correct(Vector& x) const {
     const Teuchos::RCP<const KeptState> kept = keeper() == nullptr ? Teuchos::null : keeper()->latest();
-    if (kept.is_null()) return;
+    if (kept.is_null() || problem.is_bordered()) return;
     const auto& last = dynamic_cast<const NOX::Thyra::Vector&>(solver->getSolutionGroup().getF());
     const Teuchos::RCP<Thyra::VectorBase<double>> step = Thyra::createMember(evaluator->get_x_space());
     bool found = false;

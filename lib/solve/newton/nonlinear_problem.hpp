@@ -17,7 +17,10 @@ class NonlinearProblem {
   virtual ~NonlinearProblem() = default;
 
   virtual Teuchos::RCP<const Map> map() const = 0;
-  /// Creates the tangent's operator: a fill-complete matrix of its sparsity, or an AssemblableOperator.
+  /// Returns whether the tangent's operator is a BorderedOperator. Equal on all ranks.
+  virtual bool is_bordered() const { return false; }
+  /// Creates the tangent's operator: a fill-complete matrix of its sparsity, an AssemblableOperator, or one of these
+  /// with a border.
   virtual Teuchos::RCP<Operator> create_operator() = 0;
 
   /// Computes f(x). Returns false, on all ranks alike, if x is inadmissible: f is then unusable.

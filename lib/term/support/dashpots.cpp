@@ -10,9 +10,9 @@ Dashpots::Dashpots(DrivenEnds ends, const Pattern& pattern, std::size_t local)
     : ends_(std::move(ends)),
       owned_(owned_dofs(pattern)),
       local_(local),
-      places_(diagonal_places(ends_.dofs, pattern)) {}
+      places_(diagonal_places(ends_.dofs, pattern, ends_.first_global)) {}
 
-void Dashpots::place(const Pattern& pattern) { places_ = diagonal_places(ends_.dofs, pattern); }
+void Dashpots::place(const Pattern& pattern) { places_ = diagonal_places(ends_.dofs, pattern, ends_.first_global); }
 
 /// A stage: the damping row.
 struct Dashpots::Memory final : StepMemory {
@@ -48,14 +48,15 @@ void Dashpots::add_force(const Place& at, double* f) const {
 
 void Dashpots::add_tangent(const Place& at, double* values) const {
   const Memory& stage = memory(at.step);
-  add_to_places(stage.unknown / stage.dt, ends_.coefficients, places_, values);
+  tangent_factor_ = stage.unknown / stage.dt;
+  add_to_places(tangent_factor_, ends_.coefficients, places_, values);
 }
 
 double Dashpots::potential(const Place& at) const {
   const Memory& stage = memory(at.step);
   double sum = 0;
   for (std::size_t k = 0; k < ends_.dofs.size(); ++k)
-    if (const auto i = static_cast<std::size_t>(ends_.dofs[k]); i < owned_)
+    if (const auto i = static_cast<std::size_t>(ends_.dofs[k]); counts(ends_, i, owned_))
       sum += ends_.coefficients[k] * stage.row(i, at.u) * stage.row(i, at.u);
   return sum / (2 * stage.unknown * stage.dt);
 }
@@ -72,6 +73,7 @@ void Dashpots::add_tangent_at(double by_velocity, double, const double*, const d
 void Dashpots::add_row_sums(const double*, double* sums) const { add_diagonal(1.0, sums); }
 
 void Dashpots::add_diagonal(double factor, double* d) const {
+  tangent_factor_ = factor;
   for (std::size_t k = 0; k < ends_.dofs.size(); ++k) d[ends_.dofs[k]] += factor * ends_.coefficients[k];
 }
 
@@ -81,7 +83,8 @@ double Dashpots::dissipated(const AcceptedStep& step, bool relative) const {
   double sum = 0;
   const auto for_each = [&](const auto& work) {
     for (std::size_t k = 0; k < ends_.dofs.size(); ++k)
-      if (const auto i = static_cast<std::size_t>(ends_.dofs[k]); i < owned_) sum += ends_.coefficients[k] * work(i);
+      if (const auto i = static_cast<std::size_t>(ends_.dofs[k]); counts(ends_, i, owned_))
+        sum += ends_.coefficients[k] * work(i);
   };
   const auto rates = [&](double time) {
     return relative ? rates_of(ends_, time, local_) : std::vector<double>(local_, 0.0);

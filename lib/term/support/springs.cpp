@@ -27,7 +27,7 @@ MeanPlace mean_place(const Rule& rule) {
 /// K times a vector, K diagonal. It has no mass to apply.
 class SpringAction final : public TangentAction {
  public:
-  explicit SpringAction(const DrivenEnds& ends) : ends_(ends) {}
+  SpringAction(const DrivenEnds& ends, double& factor) : ends_(ends), factor_(factor) {}
   void linearize(const Segment&, const Rule& rule, Tangent, const LinearPart&) override {
     factor_ = mean_place(rule).to;
   }
@@ -48,10 +48,18 @@ class SpringAction final : public TangentAction {
 
  private:
   const DrivenEnds& ends_;
-  double factor_ = 1;
+  double& factor_;
 };
 
 }  // namespace
+
+void add_to_border(double factor, const DrivenEnds& ends, Border& border) {
+  for (std::size_t k = 0; k < ends.dofs.size(); ++k) {
+    if (ends.dofs[k] < ends.first_global) continue;
+    const auto global = static_cast<std::size_t>(ends.dofs[k] - ends.first_global);
+    if (border.has(global)) border.entry(global, global) += factor * ends.coefficients[k];
+  }
+}
 
 std::vector<double> places_of(const DrivenEnds& ends, double time, std::size_t local) {
   std::vector<double> w(local, 0.0);
@@ -69,9 +77,9 @@ Springs::Springs(DrivenEnds ends, const Pattern& pattern, std::size_t local)
     : ends_(std::move(ends)),
       owned_(owned_dofs(pattern)),
       local_(local),
-      places_(diagonal_places(ends_.dofs, pattern)) {}
+      places_(diagonal_places(ends_.dofs, pattern, ends_.first_global)) {}
 
-void Springs::place(const Pattern& pattern) { places_ = diagonal_places(ends_.dofs, pattern); }
+void Springs::place(const Pattern& pattern) { places_ = diagonal_places(ends_.dofs, pattern, ends_.first_global); }
 
 bool Springs::add_force(const Segment& segment, const Rule& rule, double* f) const {
   const MeanPlace mean = mean_place(rule);
@@ -86,10 +94,13 @@ bool Springs::add_force(const Segment& segment, const Rule& rule, double* f) con
 }
 
 void Springs::add_tangent(const Segment&, const Rule& rule, Tangent, double* values) const {
-  add_to_places(mean_place(rule).to, ends_.coefficients, places_, values);
+  tangent_factor_ = mean_place(rule).to;
+  add_to_places(tangent_factor_, ends_.coefficients, places_, values);
 }
 
-std::unique_ptr<TangentAction> Springs::create_action() const { return std::make_unique<SpringAction>(ends_); }
+std::unique_ptr<TangentAction> Springs::create_action() const {
+  return std::make_unique<SpringAction>(ends_, tangent_factor_);
+}
 
 bool Springs::add_row_sums(const Segment&, double* sums) const {
   for (std::size_t k = 0; k < ends_.dofs.size(); ++k) sums[ends_.dofs[k]] += ends_.coefficients[k];
@@ -99,7 +110,7 @@ bool Springs::add_row_sums(const Segment&, double* sums) const {
 double Springs::energy(const Place& at) const {
   double sum = 0;
   for (std::size_t k = 0; k < ends_.dofs.size(); ++k)
-    if (const auto i = static_cast<std::size_t>(ends_.dofs[k]); i < owned_)
+    if (const auto i = static_cast<std::size_t>(ends_.dofs[k]); counts(ends_, i, owned_))
       sum += ends_.coefficients[k] * at.u[i] * at.u[i] / 2;
   return sum;
 }
@@ -108,7 +119,7 @@ double Springs::stretch_energy(double time, const double* u) const {
   const std::vector<double> w = places_of(ends_, time, local_);
   double sum = 0;
   for (std::size_t k = 0; k < ends_.dofs.size(); ++k)
-    if (const auto i = static_cast<std::size_t>(ends_.dofs[k]); i < owned_)
+    if (const auto i = static_cast<std::size_t>(ends_.dofs[k]); counts(ends_, i, owned_))
       sum += ends_.coefficients[k] * w[i] * (w[i] / 2 - u[i]);
   return sum;
 }

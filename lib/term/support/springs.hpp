@@ -1,6 +1,7 @@
 /// Springs and dashpots between nodes and places that a motion drives.
 #pragma once
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,7 +20,18 @@ struct DrivenEnds {
   std::vector<int> dofs;
   std::vector<double> coefficients;       ///< parallel to dofs
   std::shared_ptr<const Constraints> to;  ///< w of the same degrees of freedom
+  /// Where globals begin in local arrays, if there are some among the degrees of freedom: of these, one rank alone has
+  /// ends, and the tangent is part of the border.
+  int first_global = std::numeric_limits<int>::max();
 };
+
+/// Returns whether this rank counts a degree of freedom that it has ends of; `owned`: the number of its own.
+inline bool counts(const DrivenEnds& ends, std::size_t dof, std::size_t owned) {
+  return dof < owned || static_cast<int>(dof) >= ends.first_global;
+}
+
+/// Adds factor times the coefficients of globals to the border's block.
+void add_to_border(double factor, const DrivenEnds& ends, Border& border);
 
 /// Returns w (and w') as local arrays of that size, zero elsewhere.
 std::vector<double> places_of(const DrivenEnds& ends, double time, std::size_t local);
@@ -34,6 +46,7 @@ class Springs final : public ForceTerm {
   void place(const Pattern& pattern) override;
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override;
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override;
+  void add_border(Border& border) const override { add_to_border(tangent_factor_, ends_, border); }
   std::unique_ptr<TangentAction> create_action() const override;
   bool add_row_sums(const Segment& segment, double* sums) const override;
   double energy(const Place& at) const override;
@@ -56,8 +69,9 @@ class Springs final : public ForceTerm {
 
  private:
   DrivenEnds ends_;
-  std::size_t owned_, local_;        ///< degrees of freedom
-  std::vector<std::size_t> places_;  ///< of the diagonal entries, parallel to dofs; ghosts have none
+  std::size_t owned_, local_;          ///< degrees of freedom
+  std::vector<std::size_t> places_;    ///< of the diagonal entries, parallel to dofs; ghosts have none
+  mutable double tangent_factor_ = 1;  ///< of the last tangent
 };
 
 /// The term c v. It dissipates c (v - w')^2.
@@ -78,6 +92,7 @@ class Dashpots final : public RateTerm {
   /// The driven work is that of the driven ends, less that of the load c w'.
   StepWork accept(const AcceptedStep& step, TermHistories& histories) const override;
 
+  void add_border(Border& border) const override { add_to_border(tangent_factor_, ends_, border); }
   bool is_diagonal() const override { return true; }
   void add_diagonal(double factor, double* d) const override;
   const DrivenEnds& ends() const { return ends_; }
@@ -93,6 +108,7 @@ class Dashpots final : public RateTerm {
   DrivenEnds ends_;
   std::size_t owned_, local_;
   std::vector<std::size_t> places_;
+  mutable double tangent_factor_ = 0;  ///< of the last tangent
 };
 
 }  // namespace ixos

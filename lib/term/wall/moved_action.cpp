@@ -19,12 +19,13 @@ class MovedInteraction::Action final : public TangentAction {
     for (Part& part : parts_)
       if (!part.action) part.action = term_.fixed_->create_action();
     std::size_t k = 0;
+    if (term_.carried_) term_.add_carried_tangent(segment, asked, kind, nullptr, nullptr);
     term_.at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
       parts_[k].pose = pose;
       parts_[k++].action->linearize(term_.here(segment), end_rule(point.weight * point.to), kind, linear);
     });
     if (rule.mean == Mean::Points) return;
-    term_.see_ends(segment, parts_[0].pose);  // a gradient: the obstacle does not turn
+    parts_[0].pose = term_.see_ends(segment).end;  // a gradient: the obstacle does not turn
     parts_[0].action->linearize(term_.ends(segment), rule, kind, linear);
   }
 
@@ -38,7 +39,7 @@ class MovedInteraction::Action final : public TangentAction {
       }
       term_.frame_.see_change(part.pose, 1, x, x_);
       part.action->add_product(x_.data(), y_.data());
-      term_.frame_.add_moved(part.pose, part.pose.angle, y_, y);
+      term_.frame_.add_moved(part.pose.turn, y_, y);
     }
   }
 

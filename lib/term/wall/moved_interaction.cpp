@@ -17,10 +17,11 @@ bool is_end(const RulePoint& point) {
 
 }  // namespace
 
-MovedInteraction::MovedInteraction(std::unique_ptr<Interaction> fixed, const RigidMotion& motion, const LocalMesh& mesh,
+MovedInteraction::MovedInteraction(std::unique_ptr<Interaction> fixed, const FrameMotion& motion, const LocalMesh& mesh,
                                    const std::vector<LocalSide>& sides, const Pattern& pattern)
     : fixed_(std::move(fixed)), frame_(motion, mesh, sides, pattern), pattern_(&pattern) {
   const auto local = static_cast<std::size_t>(mesh.nodes()) * static_cast<std::size_t>(mesh.dimension);
+  if (motion.body() != nullptr) carried_ = std::make_unique<CarriedBody>(frame_);
   for (std::vector<double>* array : {&from_, &to_, &change_, &force_}) array->resize(local);
 }
 
@@ -28,25 +29,26 @@ void MovedInteraction::place(const Pattern& pattern) {
   fixed_->place(pattern);
   frame_.place(pattern);
   pattern_ = &pattern;
+  own_values_.clear();
 }
 
-double MovedInteraction::see_ends(const Segment& segment, RigidPose& end) const {
-  const RigidPose start = frame_.pose(segment.start);
-  end = frame_.pose(segment.time(end_point));
-  frame_.see(start, segment.from, from_);
-  frame_.see(end, segment.to, to_);
-  return (start.angle + end.angle) / 2;
+MovedInteraction::Poses MovedInteraction::see_ends(const Segment& segment) const {
+  const Poses poses{frame_.motion().pose(segment.from, segment.start),
+                    frame_.motion().pose(segment.to, segment.time(end_point))};
+  frame_.see(poses.start, segment.from, from_);
+  frame_.see(poses.end, segment.to, to_);
+  return poses;
 }
 
 bool MovedInteraction::is_finite(double time) const {
-  const RigidPose pose = frame_.pose(time);
+  const RigidPose pose = frame_.motion().pose(nullptr, time);
   double sum = pose.angle + pose.spin;
   for (std::size_t i = 0; i < 3; ++i) sum += pose.translation[i] + pose.velocity[i];
   return std::isfinite(sum);
 }
 
 Place MovedInteraction::seen(const Place& at) const {
-  frame_.see(frame_.pose(at.time), at.u, to_);
+  frame_.see(pose(at), at.u, to_);
   return {to_.data(), at.time, at.histories, at.step};
 }
 
@@ -102,17 +104,18 @@ bool MovedInteraction::add_forces(const Segment& segment, const Rule& asked, Kep
   at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
     KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
     admissible = add(here(segment), end_rule(point.weight), part) && admissible;
-    frame_.add_moved(pose, pose.angle, force_, f);
+    if (carried_) carried_->add_force(carried_->at(pose, point, to_), force_, f);
+    frame_.add_moved(pose.turn, force_, f);
     end_is_seen = end_is_seen || is_end(point);
   });
   if (rule.mean != Mean::Points) {
-    RigidPose end;
-    const double angle = see_ends(segment, end);
+    const Poses poses = see_ends(segment);
     admissible = add(ends(segment), rule, kept != nullptr ? kept->parts[0].get() : nullptr) && admissible;
-    frame_.add_moved(end, angle, force_, f);
+    if (carried_) carried_->add_force(carried_->between(poses.start, poses.end, from_, to_), force_, f);
+    frame_.add_moved(frame_.motion().mean_turn(poses.start, poses.end), force_, f);
   } else if (!end_is_seen) {
     // The end must be admissible, too. The weight is 0; a force beyond the law's domain may be no number.
-    frame_.see(frame_.pose(segment.time(end_point)), segment.to, to_);
+    frame_.see(frame_.motion().pose(segment.to, segment.time(end_point)), segment.to, to_);
     admissible = fixed_->add_force(here(segment), end_rule(0), force_.data()) && admissible;
     frame_.clear(force_);
   }
@@ -130,30 +133,63 @@ void MovedInteraction::add_kept_tangent(const Segment& segment, const Rule& aske
 
 void MovedInteraction::add_tangent(const Segment& segment, const Rule& asked, Tangent kind, const Kept* kept,
                                    double* values) const {
+  if (carried_) return add_carried_tangent(segment, asked, kind, kept, values);
+  // The tangent of a turned frame is L K R^T: the values are turned into the frame and back.
+  at_tangents(segment, asked, kept, [&](const TangentPlace& place) {
+    if (frame_.turns()) frame_.turn_blocks(place.left, place.pose.turn, false, values);
+    add_tangent(place, kind, values);
+    if (frame_.turns()) frame_.turn_blocks(place.left, place.pose.turn, true, values);
+  });
+}
+
+/// Calls visit(place) for each point of the rule, or for its mean.
+template <class Visit>
+void MovedInteraction::at_tangents(const Segment& segment, const Rule& asked, const Kept* kept,
+                                   const Visit& visit) const {
   const Rule& rule = fixed_->followed(asked);
-  // The tangent of a turned frame is R_left K R_right^T: the values are turned into the frame and back.
-  const auto add = [&](const RigidPose& pose, double left, double right, const Segment& inside, const Rule& own,
-                       const KeptPoints* part) {
-    if (frame_.turns()) frame_.turn_blocks(pose, left, right, false, values);
-    if (part != nullptr)
-      fixed_->add_kept_tangent(inside, own, kind, *part, values);
-    else
-      fixed_->add_tangent(inside, own, kind, values);
-    if (frame_.turns()) frame_.turn_blocks(pose, left, right, true, values);
-  };
   std::size_t k = 0;
   at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
     const KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
-    add(pose, pose.angle, pose.angle, here(segment), end_rule(point.weight * point.to), part);
+    visit({pose.turn, pose, here(segment), end_rule(point.weight * point.to), part, &point, nullptr});
   });
   if (rule.mean == Mean::Points) return;
-  RigidPose end;
-  const double angle = see_ends(segment, end);
-  add(end, angle, end.angle, ends(segment), rule, kept != nullptr ? kept->parts[0].get() : nullptr);
+  const Poses poses = see_ends(segment);
+  visit({frame_.motion().mean_turn(poses.start, poses.end), poses.end, ends(segment), rule,
+         kept != nullptr ? kept->parts[0].get() : nullptr, nullptr, &poses.start});
+}
+
+void MovedInteraction::add_tangent(const TangentPlace& place, Tangent kind, double* values) const {
+  if (place.part != nullptr)
+    fixed_->add_kept_tangent(place.inside, place.rule, kind, *place.part, values);
+  else
+    fixed_->add_tangent(place.inside, place.rule, kind, values);
+}
+
+/// The blocks of the frame pass through an array of their own, from which the body's border is made, too.
+void MovedInteraction::add_carried_tangent(const Segment& segment, const Rule& asked, Tangent kind, const Kept* kept,
+                                           double* values) const {
+  carried_->clear();
+  own_values_.resize(pattern_->values());  // zero
+  at_tangents(segment, asked, kept, [&](const TangentPlace& place) {
+    if (place.point != nullptr && place.point->to == 0) return;
+    add_tangent(place, kind, own_values_.data());
+    const Rule force = place.point != nullptr ? end_rule(place.point->weight) : place.rule;
+    fixed_->add_force(place.inside, force, force_.data());
+    const BodySight sight = place.point != nullptr ? carried_->at(place.pose, *place.point, to_)
+                                                   : carried_->between(*place.start, place.pose, from_, to_);
+    frame_.turn_blocks(sight.forces, place.pose.turn, true, own_values_.data());
+    carried_->add_border(sight, force_, own_values_);
+    frame_.clear(force_);
+    frame_.move_blocks(own_values_, values);
+  });
+}
+
+void MovedInteraction::add_border(Border& border) const {
+  if (carried_) carried_->add_to(border);
 }
 
 bool MovedInteraction::add_row_sums(const Segment& segment, double* sums) const {
-  const RigidPose pose = frame_.pose(segment.time(end_point));
+  const RigidPose pose = frame_.motion().pose(segment.to, segment.time(end_point));
   frame_.see(pose, segment.to, to_);
   const bool admissible = fixed_->add_row_sums(here(segment), force_.data());
   frame_.add_row_sums(pose, force_, sums);
@@ -177,7 +213,7 @@ void MovedInteraction::add_time_derivative(const Segment& segment, const Rule& a
     fixed_->add_tangent(here(segment), here_only, Tangent::Exact, tangent.data());
     frame_.see_velocity(pose, to_, change_);
     frame_.subtract_product(*pattern_, tangent, change_, force_);
-    frame_.add_moved(pose, pose.angle, force_, f);
+    frame_.add_moved(pose.turn, force_, f);
   });
 }
 
@@ -203,15 +239,14 @@ double MovedInteraction::work(const Segment& segment, const Rule& asked) const {
   };
   at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) { add_power(point.weight, pose); });
   if (rule.kept_weight != 0) {
-    const RigidPose pose = frame_.pose(segment.start);
+    const RigidPose pose = frame_.motion().pose(segment.from, segment.start);
     frame_.see(pose, segment.from, to_);
     add_power(rule.kept_weight, pose);
   }
   if (rule.mean == Mean::Points) return work;
-  RigidPose end;
-  const double angle = see_ends(segment, end);
+  const Poses poses = see_ends(segment);
   fixed_->add_force(ends(segment), rule, force_.data());
-  work += frame_.work(end, angle, force_, from_, to_, segment.from, segment.to);
+  work += frame_.work(frame_.motion().mean_turn(poses.start, poses.end), force_, from_, to_, segment.from, segment.to);
   frame_.clear(force_);
   return work;
 }
@@ -222,6 +257,7 @@ double MovedInteraction::admissible_step(const Segment& segment, const Rule& rul
   bool end_is_seen = false;
   const auto restrict_at = [&](const RulePoint& point, const RigidPose& pose) {
     frame_.see_change(pose, point.to, direction, change_);
+    if (carried_) carried_->see_change(pose, point.to, direction, to_, change_);
     step = std::min(step, fixed_->admissibility().admissible_step(here(segment), Rule{}, change_.data()));
     end_is_seen = end_is_seen || is_end(point);
   };
@@ -231,14 +267,12 @@ double MovedInteraction::admissible_step(const Segment& segment, const Rule& rul
 }
 
 double MovedInteraction::mean_potential(const Segment& segment) const {
-  RigidPose end;
-  see_ends(segment, end);
+  see_ends(segment);
   return fixed_->mean_potential(ends(segment));
 }
 
 double MovedInteraction::gap_ratio(const Segment& way) const {
-  RigidPose end;
-  see_ends(way, end);
+  see_ends(way);
   return fixed_->admissibility().gap_ratio(ends(way));
 }
 
@@ -247,43 +281,43 @@ double MovedInteraction::rounding(const Place& at) const { return fixed_->roundi
 void MovedInteraction::report(const Place& at, InteractionReport& report) const {
   InteractionReport own;
   fixed_->reports().report(seen(at), own);
-  const RigidPose pose = frame_.pose(at.time);
   std::array<double, 3> force{};
   std::copy(own.force.begin(), own.force.end(), force.begin());
-  const std::array<double, 3> turning = pose.turning(pose.angle, force);
+  force = turned(pose(at).turn, force);
   report.force.resize(own.force.size(), 0.0);
-  for (std::size_t i = 0; i < own.force.size(); ++i) report.force[i] += force[i] + turning[i];
+  for (std::size_t i = 0; i < own.force.size(); ++i) report.force[i] += force[i];
   report.measure += own.measure;
   report.least_gap = std::min(report.least_gap, own.least_gap);
 }
 
 LowestPoint MovedInteraction::lowest_point(const Place& at) const {
   LowestPoint point = fixed_->admissibility().lowest_point(seen(at));
-  point.place = MovingFrame::from_frame(frame_.pose(at.time), point.place);
+  point.place = MovingFrame::from_frame(pose(at), point.place);
   return point;
 }
 
 LowestPoint MovedInteraction::passage(const Segment& way) const {
-  RigidPose end;
-  see_ends(way, end);
-  if (std::abs(end.angle - frame_.pose(way.start).angle) > 0.1) return {};
+  const Poses poses = see_ends(way);
+  Turn difference = poses.end.turn;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) difference[i][j] -= poses.start.turn[i][j];
+  if (std::sqrt(contraction(difference, difference) / 2) > 0.1) return {};
   LowestPoint point = fixed_->admissibility().passage(ends(way));
-  point.place = MovingFrame::from_frame(end, point.place);
+  point.place = MovingFrame::from_frame(poses.end, point.place);
   return point;
 }
 
 void MovedInteraction::set_nodal_normal(const Place& at, double* normal) const {
   const Place inside = seen(at);
   fixed_->reports().set_nodal_normal(inside, force_.data());
-  const RigidPose pose = frame_.pose(at.time);
-  std::vector<double> turned(force_.size(), 0.0);
-  frame_.add_moved(pose, pose.angle, force_, turned.data());
+  std::vector<double> in_space(force_.size(), 0.0);
+  frame_.add_moved(pose(at).turn, force_, in_space.data());
   // Several terms share nodes: only the nodes of this one are set.
   const std::size_t d = frame_.dimension();
-  std::vector<double> gap(turned.size() / d, std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> gap(in_space.size() / d, std::numeric_limits<double>::quiet_NaN());
   fixed_->reports().lower_nodal_gap(inside, gap.data());
-  for (std::size_t i = 0; i < turned.size(); ++i)
-    if (!std::isnan(gap[i / d])) normal[i] = turned[i];
+  for (std::size_t i = 0; i < in_space.size(); ++i)
+    if (!std::isnan(gap[i / d])) normal[i] = in_space[i];
 }
 
 /// Returns the states as they are seen at their own times, without rates. An interaction that keeps nothing gets none.
@@ -293,7 +327,7 @@ std::vector<KnownState> MovedInteraction::known_in_frame(const std::vector<Known
   known_.resize(std::max(known_.size(), known.size()));
   for (std::size_t k = 0; k < known.size(); ++k) {
     known_[k].resize(to_.size());
-    frame_.see(frame_.pose(known[k].time), known[k].u, known_[k]);
+    frame_.see(frame_.motion().pose(known[k].u, known[k].time), known[k].u, known_[k]);
     result.push_back({known_[k].data(), nullptr, nullptr, known[k].time});
   }
   return result;

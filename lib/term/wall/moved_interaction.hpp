@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "term/interaction.hpp"
+#include "term/wall/carried_body.hpp"
 #include "term/wall/moving_frame.hpp"
 
 namespace ixos {
@@ -14,6 +15,8 @@ namespace ixos {
 /// frame). The gap is g(x, t) = g_0(P + R^T (x - P - T)), and normals turn with R. Nodes pass into the frame, and
 /// forces come back, so that any obstacle, law and element may be inside.
 ///
+/// The motion is prescribed, or that of a rigid body, whose forces and border the term then adds, see CarriedBody.
+///
 /// Points of a rule are evaluated at the poses of their times. Other means join the places y0 and y1 that the ends of
 /// the segment have in the frame, each at its own pose. Their force is that mean's, f_0 with f_0 . (y1 - y0) = Pi_1 -
 /// Pi_0, turned by the mean of both angles. Then Pi_1 - Pi_0 - f . (u1 - u0) is the obstacle's work: exactly -f . (T1 -
@@ -21,7 +24,7 @@ namespace ixos {
 class MovedInteraction final : public Interaction, public Admissibility, public SurfaceReport, public ObstacleMotion {
  public:
   /// `fixed` is the interaction with the obstacle at rest; `sides` contain those on which it acts.
-  MovedInteraction(std::unique_ptr<Interaction> fixed, const RigidMotion& motion, const LocalMesh& mesh,
+  MovedInteraction(std::unique_ptr<Interaction> fixed, const FrameMotion& motion, const LocalMesh& mesh,
                    const std::vector<LocalSide>& sides, const Pattern& pattern);
 
   const Rule& followed(const Rule& rule) const override { return fixed_->followed(rule); }
@@ -30,7 +33,8 @@ class MovedInteraction final : public Interaction, public Admissibility, public 
   const Admissibility& admissibility() const override { return *this; }
   const SurfaceReport& reports() const override { return *this; }
   Coupling* coupling() override { return fixed_->coupling(); }
-  const ObstacleMotion* motion() const override { return this; }
+  /// A rigid body that moves by itself has no prescribed motion.
+  const ObstacleMotion* motion() const override { return frame_.motion().body() == nullptr ? this : nullptr; }
 
   bool is_finite(double time) const override;
   double work(const Segment& segment, const Rule& rule) const override;
@@ -45,6 +49,7 @@ class MovedInteraction final : public Interaction, public Admissibility, public 
   bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const override;
   void add_kept_tangent(const Segment& segment, const Rule& rule, Tangent kind, const KeptPoints& kept,
                         double* values) const override;
+  void add_border(Border& border) const override;
   std::unique_ptr<TangentAction> create_action() const override;
   bool add_row_sums(const Segment& segment, double* sums) const override;
   /// Points only, of terms without a history: a mean, or friction, depends on the way between two times.
@@ -107,17 +112,36 @@ class MovedInteraction final : public Interaction, public Admissibility, public 
   bool add_forces(const Segment& segment, const Rule& rule, Kept* kept, const Add& add, double* f) const;
   bool add_force(const Segment& segment, const Rule& rule, Kept* kept, double* f) const;
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, const Kept* kept, double* values) const;
+  void add_carried_tangent(const Segment& segment, const Rule& rule, Tangent kind, const Kept* kept,
+                           double* values) const;
+  /// A point of a rule, or its mean, whose tangent is L K R^T.
+  struct TangentPlace {
+    Turn left;
+    RigidPose pose;  ///< of the point, or of the end; its turn is R
+    Segment inside;
+    Rule rule;
+    const KeptPoints* part;
+    const RulePoint* point;  ///< null for a mean
+    const RigidPose* start;  ///< null for a point
+  };
+  template <class Visit>
+  void at_tangents(const Segment& segment, const Rule& rule, const Kept* kept, const Visit& visit) const;
+  void add_tangent(const TangentPlace& place, Tangent kind, double* values) const;
   /// Calls visit(point, pose) for each point of the rule, after it has set to_ to what is seen there.
   template <class Visit>
   void at_points(const Segment& segment, const Rule& rule, const Visit& visit) const {
     for (const RulePoint& point : rule.points) {
-      const RigidPose pose = frame_.pose(segment.time(point));
+      const RigidPose pose = frame_.motion().pose(segment, point);
       frame_.see(pose, segment, point, to_);
       visit(point, pose);
     }
   }
-  /// Sees both ends of a segment, each at its pose: in from_ and to_. Returns the mean of the angles.
-  double see_ends(const Segment& segment, RigidPose& end) const;
+  /// Sees both ends of a segment, each at its pose: in from_ and to_. Returns the poses.
+  struct Poses {
+    RigidPose start, end;
+  };
+  Poses see_ends(const Segment& segment) const;
+  RigidPose pose(const Place& at) const { return frame_.motion().pose(at.u, at.time); }
   /// Returns the place as it is seen, its displacement in to_.
   Place seen(const Place& at) const;
   /// Return what is in to_, or in from_ and to_, with what the segment keeps.
@@ -132,7 +156,9 @@ class MovedInteraction final : public Interaction, public Admissibility, public 
 
   std::unique_ptr<Interaction> fixed_;
   MovingFrame frame_;
+  std::unique_ptr<CarriedBody> carried_;  ///< null if the motion is prescribed
   const Pattern* pattern_;
+  mutable std::vector<double> own_values_;          ///< scratch of a carried frame, zero between calls
   mutable std::vector<std::vector<double>> known_;  ///< scratch: states as they are seen
   mutable std::vector<double> from_, to_, change_;  ///< scratch, local
   mutable std::vector<double> force_;               ///< scratch, zero between calls

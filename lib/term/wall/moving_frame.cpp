@@ -2,40 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/small_matrix.hpp"
-#include "base/vector3.hpp"
+#include "base/turn.hpp"
 
 namespace ixos {
 namespace {
 
 using Triple = std::array<double, 3>;
 
-Triple sum(Triple x, const Triple& y, double factor = 1) {
-  for (std::size_t i = 0; i < 3; ++i) x[i] += factor * y[i];
-  return x;
-}
-
-Triple turned(const RigidPose& pose, double angle, const Triple& v) {
-  return angle == 0 ? v : sum(v, pose.turning(angle, v));
-}
-
-Small<double, 3> rotation(const RigidPose& pose, double angle) {
-  Small<double, 3> r;
-  for (std::size_t j = 0; j < 3; ++j) {
-    Triple unit{};
-    unit[j] = 1;
-    const Triple column = turned(pose, angle, unit);
-    for (std::size_t i = 0; i < 3; ++i) r[i][j] = column[i];
-  }
-  return r;
-}
-
 }  // namespace
 
-MovingFrame::MovingFrame(const RigidMotion& motion, const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+MovingFrame::MovingFrame(FrameMotion motion, const LocalMesh& mesh, const std::vector<LocalSide>& sides,
                          const Pattern& pattern)
-    : motion_(motion), d_(static_cast<std::size_t>(mesh.dimension)) {
+    : motion_(std::move(motion)), d_(static_cast<std::size_t>(mesh.dimension)) {
   std::vector<int> numbers;
   for (const LocalSide& side : sides) numbers.insert(numbers.end(), side.nodes.begin(), side.nodes.end());
   std::sort(numbers.begin(), numbers.end());
@@ -50,15 +31,34 @@ MovingFrame::MovingFrame(const RigidMotion& motion, const LocalMesh& mesh, const
 
 void MovingFrame::place(const Pattern& pattern) {
   blocks_.clear();
-  if (!turns()) return;
+  if (!turns() && motion_.body() == nullptr) return;
   std::vector<int> numbers;
   for (const Node& node : nodes_) numbers.push_back(static_cast<int>(node.first / d_));
-  for (const int row : numbers)
-    if (pattern.has_row(row))
-      pattern.for_each_block(row, [&](int column, int offset) {
-        if (std::binary_search(numbers.begin(), numbers.end(), column))
-          blocks_.push_back({static_cast<std::size_t>(offset), static_cast<std::size_t>(pattern.stride(row))});
-      });
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const int row = numbers[k];
+    if (!pattern.has_row(row)) continue;
+    pattern.for_each_block(row, [&](int column, int offset) {
+      const auto found = std::lower_bound(numbers.begin(), numbers.end(), column);
+      if (found == numbers.end() || *found != column) return;
+      blocks_.push_back({static_cast<std::size_t>(offset), static_cast<std::size_t>(pattern.stride(row)), k,
+                         static_cast<std::size_t>(found - numbers.begin())});
+    });
+  }
+}
+
+Triple MovingFrame::arm(const RigidPose& pose, const Node& node, const std::vector<double>& seen) const {
+  const Triple place = sum(node.place, vector_at(node, seen.data()));
+  return turned(pose.turn, node.derivative ? place : sum(place, pose.point, -1));
+}
+
+void MovingFrame::move_blocks(std::vector<double>& own, double* values) const {
+  for (const Block& block : blocks_)
+    for (std::size_t i = 0; i < d_; ++i)
+      for (std::size_t j = 0; j < d_; ++j) {
+        double& value = own[block.first + i * block.stride + j];
+        if (values != nullptr) values[block.first + i * block.stride + j] += value;
+        value = 0;
+      }
 }
 
 Triple MovingFrame::vector_at(const Node& node, const double* values) const {
@@ -69,9 +69,9 @@ Triple MovingFrame::vector_at(const Node& node, const double* values) const {
 
 Triple MovingFrame::seen_from(const RigidPose& pose, const Node& node, Triple u) const {
   if (!node.derivative) u = sum(u, pose.translation, -1);
-  if (pose.angle == 0) return u;
+  if (!turns()) return u;
   const Triple arm = node.derivative ? node.place : sum(node.place, pose.point, -1);
-  return sum(turned(pose, -pose.angle, u), pose.turning(-pose.angle, arm));
+  return sum(turned_back(pose.turn, u), transposed_times(pose.turn, arm));
 }
 
 void MovingFrame::see(const RigidPose& pose, const Segment& segment, const RulePoint& point,
@@ -91,14 +91,14 @@ void MovingFrame::see(const RigidPose& pose, const double* u, std::vector<double
 
 void MovingFrame::see_change(const RigidPose& pose, double factor, const double* du, std::vector<double>& seen) const {
   for (const Node& node : nodes_) {
-    const Triple change = turned(pose, -pose.angle, vector_at(node, du));
+    const Triple change = turned_back(pose.turn, vector_at(node, du));
     for (std::size_t i = 0; i < d_; ++i) seen[node.first + i] = factor * change[i];
   }
 }
 
-void MovingFrame::add_moved(const RigidPose& pose, double angle, std::vector<double>& f, double* total) const {
+void MovingFrame::add_moved(const Turn& turn, std::vector<double>& f, double* total) const {
   for (const Node& node : nodes_) {
-    const Triple force = turned(pose, angle, vector_at(node, f.data()));
+    const Triple force = turned(turn, vector_at(node, f.data()));
     for (std::size_t i = 0; i < d_; ++i) total[node.first + i] += force[i];
   }
   clear(f);
@@ -108,7 +108,7 @@ void MovingFrame::add_moved(const RigidPose& pose, double angle, std::vector<dou
 template <class Factor>
 void MovingFrame::add_turned(const RigidPose& pose, const Factor& factor, std::vector<double>& values,
                              double* sums) const {
-  const Small<double, 3> r = rotation(pose, pose.angle);
+  const Small<double, 3> r = rotation_matrix(pose.turn);
   for (const Node& node : nodes_)
     for (std::size_t i = 0; i < d_; ++i)
       for (std::size_t k = 0; k < d_; ++k)
@@ -128,8 +128,15 @@ void MovingFrame::add_diagonal(const RigidPose& pose, std::vector<double>& diago
       pose, [](double r) { return r * r; }, diagonal, all);
 }
 
-void MovingFrame::turn_blocks(const RigidPose& pose, double left, double right, bool back, double* values) const {
-  const Small<double, 3> l = rotation(pose, back ? left : -left), r = rotation(pose, back ? right : -right);
+void MovingFrame::turn_blocks(const Turn& left, const Turn& right, bool back, double* values) const {
+  const auto matrix = [back](const Turn& turn) {
+    const Small<double, 3> m = rotation_matrix(turn);
+    Small<double, 3> result;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) result[i][j] = back ? m[i][j] : m[j][i];
+    return result;
+  };
+  const Small<double, 3> l = matrix(left), r = matrix(right);
   for (const Block& block : blocks_) {
     Small<double, 3> turned_rows{};
     for (std::size_t i = 0; i < d_; ++i)
@@ -146,7 +153,7 @@ void MovingFrame::turn_blocks(const RigidPose& pose, double left, double right, 
 
 void MovingFrame::add_moved_matrix(const RigidPose& pose, const Pattern& pattern, const std::vector<double>& seen,
                                    double* values) {
-  const Small<double, 3> r = rotation(pose, pose.angle);
+  const Small<double, 3> r = rotation_matrix(pose.turn);
   const auto d = static_cast<std::size_t>(pattern.dimension());
   for (int row = 0; row < pattern.rows(); ++row) {
     const auto n = static_cast<std::size_t>(row), stride = static_cast<std::size_t>(pattern.stride(row));
@@ -178,11 +185,11 @@ void MovingFrame::subtract_product(const Pattern& pattern, const std::vector<dou
 }
 
 Triple MovingFrame::from_frame(const RigidPose& pose, const Triple& y) {
-  return sum(sum(y, pose.turning(pose.angle, sum(y, pose.point, -1))), pose.translation);
+  return sum(sum(y, times(pose.turn, sum(y, pose.point, -1))), pose.translation);
 }
 
 double MovingFrame::power(const RigidPose& pose, const std::vector<double>& f, const std::vector<double>& seen) const {
-  const Triple velocity = turned(pose, -pose.angle, pose.velocity);
+  const Triple velocity = turned_back(pose.turn, pose.velocity);
   double result = 0;
   for (const Node& node : nodes_) {
     if (!node.owned) continue;
@@ -199,7 +206,7 @@ double MovingFrame::power(const RigidPose& pose, const std::vector<double>& f, c
 
 void MovingFrame::see_velocity(const RigidPose& pose, const std::vector<double>& seen,
                                std::vector<double>& velocity) const {
-  const Triple translation = turned(pose, -pose.angle, pose.velocity);
+  const Triple translation = turned_back(pose.turn, pose.velocity);
   for (const Node& node : nodes_) {
     const Triple place = sum(node.place, vector_at(node, seen.data()));
     const Triple arm = node.derivative ? place : sum(place, pose.point, -1);
@@ -211,20 +218,19 @@ void MovingFrame::see_velocity(const RigidPose& pose, const std::vector<double>&
 void MovingFrame::add_turning_rate(const RigidPose& pose, const std::vector<double>& f, double* total) const {
   if (pose.spin == 0) return;
   for (const Node& node : nodes_) {
-    const Triple rate = cross(pose.axis, turned(pose, pose.angle, vector_at(node, f.data())));
+    const Triple rate = cross(pose.axis, turned(pose.turn, vector_at(node, f.data())));
     for (std::size_t i = 0; i < d_; ++i) total[node.first + i] += pose.spin * rate[i];
   }
 }
 
-double MovingFrame::work(const RigidPose& pose, double angle, const std::vector<double>& f,
-                         const std::vector<double>& seen0, const std::vector<double>& seen1, const double* u0,
-                         const double* u1) const {
+double MovingFrame::work(const Turn& turn, const std::vector<double>& f, const std::vector<double>& seen0,
+                         const std::vector<double>& seen1, const double* u0, const double* u1) const {
   double result = 0;
   for (const Node& node : nodes_) {
     if (!node.owned) continue;
     const Triple change = sum(vector_at(node, seen1.data()), vector_at(node, seen0.data()), -1);
     const Triple way = sum(vector_at(node, u1), vector_at(node, u0), -1);
-    result += dot(vector_at(node, f.data()), sum(change, turned(pose, -angle, way), -1));
+    result += dot(vector_at(node, f.data()), sum(change, turned_back(turn, way), -1));
   }
   return result;
 }

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "discretization/pattern.hpp"
-#include "histories/rigid_motion.hpp"
 #include "mesh/local_mesh.hpp"
 #include "rule/rule.hpp"
 #include "term/force_term.hpp"
+#include "term/wall/frame_motion.hpp"
 
 namespace ixos {
 
@@ -18,10 +18,9 @@ namespace ixos {
 /// read or written.
 class MovingFrame {
  public:
-  MovingFrame(const RigidMotion& motion, const LocalMesh& mesh, const std::vector<LocalSide>& sides,
-              const Pattern& pattern);
+  MovingFrame(FrameMotion motion, const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern);
 
-  RigidPose pose(double time) const { return motion_.pose(time); }
+  const FrameMotion& motion() const { return motion_; }
   bool turns() const { return motion_.turns(); }
   std::size_t dimension() const { return d_; }
   /// Finds the blocks of the nodes in a pattern that has changed.
@@ -32,14 +31,14 @@ class MovingFrame {
   void see(const RigidPose& pose, const double* u, std::vector<double>& seen) const;
   /// Sets `seen` to `factor` times the vectors turned into the frame, R^T du.
   void see_change(const RigidPose& pose, double factor, const double* du, std::vector<double>& seen) const;
-  /// Adds forces in a frame that is turned by `angle`, R f, to `sum`, and sets f to 0.
-  void add_moved(const RigidPose& pose, double angle, std::vector<double>& f, double* sum) const;
+  /// Adds forces in a frame that is turned, R f, to `sum`, and sets f to 0.
+  void add_moved(const Turn& turn, std::vector<double>& f, double* sum) const;
   /// Adds a bound of the row sums of R K R^T from row sums of K, and sets those to 0.
   void add_row_sums(const RigidPose& pose, std::vector<double>& sums, double* all) const;
   /// Adds R_ik^2 d_k, the diagonal of R D R^T from a diagonal D, and sets that to 0.
   void add_diagonal(const RigidPose& pose, std::vector<double>& diagonal, double* all) const;
-  /// Replaces the blocks V of all pairs of the nodes by R_left^T V R_right, or R_left V R_right^T if `back`.
-  void turn_blocks(const RigidPose& pose, double left, double right, bool back, double* values) const;
+  /// Replaces the blocks V of all pairs of the nodes by L^T V R, or L V R^T if `back`, L and R the rotations.
+  void turn_blocks(const Turn& left, const Turn& right, bool back, double* values) const;
   /// Adds R V R^T for the blocks V of all pairs of nodes in the frame, in the layout of a pattern.
   static void add_moved_matrix(const RigidPose& pose, const Pattern& pattern, const std::vector<double>& seen,
                                double* values);
@@ -56,12 +55,13 @@ class MovingFrame {
   /// Returns the sum of f . (velocity of the body's points where the nodes are) over owned nodes; f and the
   /// displacements `seen` are those in the frame.
   double power(const RigidPose& pose, const std::vector<double>& f, const std::vector<double>& seen) const;
-  /// Returns the sum of f . dw over owned nodes, f in the frame turned by `angle`, dw = seen1 - seen0 - R^T (u1 - u0).
-  double work(const RigidPose& pose, double angle, const std::vector<double>& f, const std::vector<double>& seen0,
+  /// Returns the sum of f . dw over owned nodes, f in the turned frame, dw = seen1 - seen0 - R^T (u1 - u0).
+  double work(const Turn& turn, const std::vector<double>& f, const std::vector<double>& seen0,
               const std::vector<double>& seen1, const double* u0, const double* u1) const;
   void clear(std::vector<double>& array) const;
+  /// Adds the blocks of all pairs of the nodes to values of the pattern, null for none, and sets them to 0.
+  void move_blocks(std::vector<double>& own, double* values) const;
 
- private:
   using Triple = std::array<double, 3>;
   struct Node {
     std::size_t first;  ///< degree of freedom
@@ -70,16 +70,24 @@ class MovingFrame {
   };
   struct Block {
     std::size_t first, stride;  ///< in the matrix values
+    std::size_t row, column;    ///< among the nodes
   };
+  const std::vector<Node>& nodes() const { return nodes_; }
+  /// Returns the blocks of pairs with a row on this rank; none if the frame only moves as prescribed, and never turns.
+  const std::vector<Block>& blocks() const { return blocks_; }
+  /// Returns the arm R (y - P) in space from the body's point to a node, or the derivative of the place.
+  Triple arm(const RigidPose& pose, const Node& node, const std::vector<double>& seen) const;
+  Triple vector_at(const Node& node, const double* values) const;
+
+ private:
   template <class Factor>
   void add_turned(const RigidPose& pose, const Factor& factor, std::vector<double>& values, double* sums) const;
-  Triple vector_at(const Node& node, const double* values) const;
   Triple seen_from(const RigidPose& pose, const Node& node, Triple u) const;
 
-  RigidMotion motion_;
+  FrameMotion motion_;
   std::size_t d_;
   std::vector<Node> nodes_;
-  std::vector<Block> blocks_;  ///< of pairs with an owned row; empty if the body does not turn
+  std::vector<Block> blocks_;
 };
 
 }  // namespace ixos

@@ -1,0 +1,43 @@
+"""What a rigid body costs."""
+from ..bodies import MECHANICS
+from ..runs import FINAL_TIME, SCHEME, interleaved
+from ..table import Column, Table
+
+PAGE = "docs/results/rigid-bodies.md"
+# Scene, scheme, end of a measurement and of a trial, unknowns of the wall.
+CASES = (("ball", "Average Vector Field", (1.4, 0.1), 3), ("ball", "Energy-Momentum", (1.4, 0.1), 3),
+         ("strip", "Gautam-Sauer Composite", (10, 1), 3), ("strip", "Energy-Momentum", (10, 1), 3),
+         ("spatula", "Gautam-Sauer Composite", (2, 0.25), 6))
+CARRIED = "belongs to a body"
+
+
+def wall(unknowns):
+    """Returns the settings by which the wall belongs to a body so heavy that it hardly moves."""
+    inertia = "{1e9}" if unknowns == 3 else "{1e9, 1e9, 1e9}"
+    return ["Rigid Bodies/Wall/Mass=1e9", f"Rigid Bodies/Wall/Inertia={inertia}",
+            "Interactions/Wall/Rigid Body=Wall"]
+
+
+def measure_cost(context):
+    """Runs scenes whose wall rests, and belongs to a free body, in turns."""
+    rows = []
+    for scene, scheme, end, unknowns in context.pick(CASES, CASES[:2]):
+        def figures(variant):
+            done = context.run(scene, [f"{SCHEME}={scheme}", f"{FINAL_TIME}={context.pick(*end)}",
+                                       *(wall(unknowns) if variant == CARRIED else [])])
+            return {"iteration": done["wall_seconds"] / done["newton_iterations"],
+                    "iterations": done["newton_iterations"] / done["steps"]}
+
+        sample = interleaved(["rests", CARRIED], context.pick(5, 1), figures)[CARRIED]
+        rows.append({"scene": scene, "scheme": scheme, "unknowns of the body": unknowns,
+                     "an iteration, to that without": sample.ratio["iteration"],
+                     "iterations a step, to those without": sample.ratio["iterations"]})
+    return rows
+
+
+TABLES = [
+    Table(name="rigid-cost", page=PAGE, code=(*MECHANICS, "lib/rigid", "lib/solve/bordered"), minutes=4,
+          columns=[Column("scene"), Column("scheme"), Column("unknowns of the body", "{:d}"),
+                   Column("an iteration, to that without", "{:.2f}"),
+                   Column("iterations a step, to those without", "{:.2f}")], measure=measure_cost),
+]

@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <Tpetra_Operator.hpp>
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+
+#include "model/state_report.hpp"
+#include "solve/bordered/bordered_operator.hpp"
+#include "support/comparison.hpp"
+#include "support/reports.hpp"
+#include "support/rigid_scene.hpp"
+#include "support/scene_text.hpp"
+#include "time/catalogue.hpp"
+#include "time/integrator.hpp"
+
+namespace ixos {
+namespace {
+
+using test::ball_on_block;
+using test::RigidScene;
+
+std::size_t first_of(const Simulation& s) { return static_cast<std::size_t>(s.model().space().first_global()); }
+
+/// The derivative of a stage's residual along a direction that moves nodes and bodies is the bordered tangent's product
+/// with it.
+TEST(RigidBodiesTest, TheTangentIsTheDerivativeOfTheResidual) {
+  for (const int dimension : {2, 3})
+    for (const char* const scheme :
+         {"Energy-Momentum", "Average Vector Field", "Midpoint", "Newmark", "Generalized-Alpha", "Bathe Composite"}) {
+      Simulation s(ball_on_block({dimension, scheme, 0.05, 30, "", "", false, 0.15}), test::world());
+      Integrator& integrator = s.integrator();
+      for (int step = 0; step < 3; ++step) ASSERT_TRUE(integrator.step(0.05).converged) << scheme;
+      integrator.acceleration();
+      Model& model = const_cast<Model&>(s.model());
+      StageProblem problem(model, integrator.table(), false, false);
+      std::vector<State> states(integrator.table().stages.size() + 1);
+      states[0] = integrator.state();
+      StepMemories memories = model.create_memories();
+      const double dt = 0.1;
+      model.begin_step({known_states(states, 1).front(), dt, &states[0].histories}, memories);
+      problem.arm(0, states, dt, memories);
+      Vector x(problem.map()), direction(problem.map()), f(problem.map()), g(problem.map()), product(problem.map());
+      std::vector<double> u = states[0].u, d(u.size());
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        d[i] = std::sin(1.3 * static_cast<double>(i) + 0.4);
+        if (i >= first_of(s)) d[i] = 0.3 + 0.1 * static_cast<double>(i - first_of(s));  // alike on all ranks
+        u[i] += 0.01 * d[i];
+      }
+      model.space().take(u.data(), x);
+      model.space().take(d.data(), direction);
+      const auto w = problem.create_operator();
+      ASSERT_TRUE(problem.residual(x, f));
+      problem.tangent(x, *w);
+      w->apply(direction, product);
+      const double h = 1e-6;
+      Vector there(x, Teuchos::Copy);
+      there.update(h, direction, 1.0);
+      ASSERT_TRUE(problem.residual(there, f));
+      there.update(-2 * h, direction, 1.0);
+      ASSERT_TRUE(problem.residual(there, g));
+      f.update(-1.0, g, 1.0);
+      f.scale(1 / (2 * h));
+      f.update(-1.0, product, 1.0);
+      EXPECT_LT(f.normInf(), 2e-7 * product.normInf()) << scheme << ' ' << dimension;
+      // Each part for itself: the bodies' rows are large.
+      const std::vector<double> row = dynamic_cast<BorderedOperator&>(*w).globals_of(f);
+      for (const double value : row) EXPECT_LT(std::abs(value), 2e-7 * product.normInf()) << scheme << ' ' << dimension;
+    }
+}
+
+double energy_of(const Simulation& s) { return test::total_energy(s); }
+
+/// A ball and a block that nothing else touches.
+TEST(RigidBodiesTest, ImpactsKeepEnergyAndMomenta) {
+  for (const int dimension : {2, 3})
+    for (const char* const scheme : {"Energy-Momentum", "Average Vector Field"}) {
+      Simulation s(ball_on_block({dimension, scheme, 0.02}), test::world());
+      const double energy = energy_of(s);
+      const Momenta before = test::report_of(s).momenta();
+      double deepest = 1;
+      for (int step = 0; step < 60; ++step) {
+        ASSERT_TRUE(s.integrator().step(0.02).converged) << scheme << step;
+        deepest = std::min(deepest, test::report_of(s).interaction_report().least_gap);
+      }
+      EXPECT_LT(deepest, 0.3) << "they have met";
+      const Momenta after = test::report_of(s).momenta();
+      EXPECT_NEAR(energy_of(s), energy, 1e-9 * energy) << scheme << ' ' << dimension;
+      for (std::size_t i = 0; i < before.linear.size(); ++i)
+        EXPECT_NEAR(after.linear[i], before.linear[i], 1e-9) << scheme;
+      const double tolerance = scheme == std::string("Energy-Momentum") ? 1e-8 : 1;
+      for (std::size_t i = 0; i < before.angular.size(); ++i)
+        EXPECT_NEAR(after.angular[i], before.angular[i], tolerance) << scheme << ' ' << dimension;
+    }
+}
+
+/// Far from the block the body turns freely.
+TEST(RigidBodiesTest, TumblingKeepsEnergyAndMomenta) {
+  for (const char* const scheme : {"Energy-Momentum", "Average Vector Field", "Midpoint"}) {
+    Simulation s(ball_on_block({3, scheme, 0.1, 30, "", "", false, 1000}), test::world());
+    const double energy = energy_of(s);
+    const Momenta before = test::report_of(s).momenta();
+    for (int step = 0; step < 200; ++step) ASSERT_TRUE(s.integrator().step(0.1).converged);
+    const Momenta after = test::report_of(s).momenta();
+    EXPECT_NEAR(energy_of(s), energy, 1e-12 * energy) << scheme;
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(after.linear[i], before.linear[i], 1e-11) << scheme;
+      EXPECT_NEAR(after.angular[i], before.angular[i], 1e-9 * 3e4) << scheme;
+    }
+  }
+}
+
+/// Halving the step divides the error by four.
+TEST(RigidBodiesTest, EverySchemeTumblesToSecondOrder) {
+  const auto end = [](const char* scheme, int steps) {
+    Simulation s(ball_on_block({3, scheme, 4.0 / steps, 30, "", "", false, 1000}), test::world());
+    for (int step = 0; step < steps; ++step) EXPECT_TRUE(s.integrator().step(4.0 / steps).converged);
+    const std::vector<double>& u = s.integrator().state().u;
+    return std::vector<double>(u.begin() + static_cast<std::ptrdiff_t>(first_of(s)), u.end());
+  };
+  const std::vector<double> reference = end("Energy-Momentum", 3200);
+  for (const char* const scheme : {"Energy-Momentum", "Average Vector Field", "Midpoint", "Newmark",
+                                   "Generalized-Alpha", "HHT-Alpha", "Bathe Composite", "Gautam-Sauer Composite"}) {
+    const double coarse = test::distance(end(scheme, 50), reference),
+                 fine = test::distance(end(scheme, 100), reference);
+    EXPECT_GT(coarse, 1e-5) << scheme << ": something turns";
+    EXPECT_NEAR(coarse / fine, 4, 0.5) << scheme;
+  }
+}
+
+}  // namespace
+}  // namespace ixos
