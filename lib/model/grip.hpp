@@ -18,6 +18,7 @@ struct Grip {
   bool rigid = true;                   ///< the nodes follow it
   const Springs* springs = nullptr;    ///< may be null
   const Dashpots* dashpots = nullptr;  ///< may be null
+  int carrier = -1;  ///< the rigid body that carries the nodes, whose centre is the grip's point; -1: none
 };
 
 /// The force and the moment of a grip on the bodies of the scene.

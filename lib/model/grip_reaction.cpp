@@ -31,7 +31,11 @@ GripReaction grip_reaction(const Model& model, const Grip& grip, double time, co
     add_support_force(grip, time, u, v, supports);
   }
   const std::vector<double>& forces = grip.rigid ? reactions : supports;
-  const std::array<double, 3> point = grip.motion.point_at(time);
+  std::array<double, 3> point = grip.motion.point_at(time);
+  if (grip.carrier >= 0) {
+    const auto body = static_cast<std::size_t>(grip.carrier);
+    point = sum(model.rigid_bodies()[body].centre(), RigidBody::triple(&u[model.first_number(body)]));
+  }
   std::vector<double> sums(6, 0.0);
   for (const int node : mesh.node_sets[grip.node_set]) {
     if (node >= mesh.owned_nodes) continue;

@@ -112,6 +112,21 @@ void grip_rigidly(Model& model, const std::string& name, const std::string& node
   model.add_grip({name, set, motion}, nullptr, nullptr);
 }
 
+void grip_by_body(Model& model, const std::string& name, const std::string& node_set, const std::string& body) {
+  const RigidMotion none(model.mesh().dimension, {});
+  const std::size_t set = checked_set(model, name, node_set, none), carrier = model.rigid_bodies().find(body);
+  together<InputError>(model.space().comm(), [&] {
+    try {
+      model.carry_nodes(carrier, model.mesh().node_sets[set]);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("the grip \"{}\": {}", name, error.what()));
+    }
+  });
+  Grip grip{name, set, none};
+  grip.carrier = static_cast<int>(carrier);
+  model.add_grip(std::move(grip), nullptr, nullptr);
+}
+
 void grip_elastically(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion,
                       const GripSupport& support) {
   const std::size_t set = checked_set(model, name, node_set, motion);

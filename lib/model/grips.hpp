@@ -21,6 +21,10 @@ struct GripSupport {
 /// model has not changed. Throws std::logic_error after Model::close(). Collective.
 void grip_rigidly(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion);
 
+/// Has a rigid body of the model carry the nodes of a set. Throws as grip_rigidly() does; also if a node is tied, or
+/// some condition holds it.
+void grip_by_body(Model& model, const std::string& name, const std::string& node_set, const std::string& body);
+
 /// Holds the nodes of a set by springs and dashpots, whose other ends move as a rigid body. Throws as grip_rigidly()
 /// does; also if a number is negative or not finite, if all are 0, if the radial one is not 0 on an axisymmetric
 /// mesh, or if damping has no inertia to act on.

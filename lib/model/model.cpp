@@ -221,6 +221,15 @@ void Model::drive_body(std::size_t body, std::size_t direction, std::shared_ptr<
   driven_globals_.push_back({first_number(body) + direction, std::move(motion)});
 }
 
+void Model::carry_nodes(std::size_t body, const std::vector<int>& nodes) {
+  check_open();
+  for (const int node : nodes) {
+    if (mesh().is_tied(node)) throw InputError("a tied node cannot be carried by a rigid body");
+    for (int i = 0; i < mesh().dimension; ++i) constraints_.entrust(node * mesh().dimension + i);
+  }
+  carried_nodes_.emplace_back(mesh(), rigid_bodies_[body], first_number(body), nodes);
+}
+
 void Model::add_supports(const std::string& name, std::unique_ptr<Springs> springs,
                          std::unique_ptr<Dashpots> dashpots) {
   check_open();

@@ -7,6 +7,7 @@
 
 #include "discretization/discretization.hpp"
 #include "model/body.hpp"
+#include "model/carried_nodes.hpp"
 #include "model/grip.hpp"
 #include "model/tied_sets.hpp"
 #include "rigid/rigid_bodies.hpp"
@@ -99,6 +100,9 @@ class Model {
   /// Moves a held translation of a rigid body by a history, displacement [L0]. Throws std::out_of_range for a direction
   /// that is not 0 to 2, InputError if the body moves freely along it.
   void drive_body(std::size_t body, std::size_t direction, std::shared_ptr<const TimeFunction> motion);
+  /// Has a rigid body carry nodes, which are local, ghosts included. Throws InputError, on this rank, if one is tied,
+  /// or a condition holds it.
+  void carry_nodes(std::size_t body, const std::vector<int>& nodes);
   Constraints& constraints() { return constraints_; }
   Loads& loads() { return loads_; }
   TiedConditions& tied_conditions() { return tied_conditions_; }
@@ -150,6 +154,12 @@ class Model {
   }
   /// Returns the numbers that move by histories; none of bodies that are prescribed as a whole.
   const std::vector<DrivenGlobal>& driven_globals() const { return driven_globals_; }
+  /// Returns the nodes that bodies carry; the length is equal on all ranks.
+  const std::vector<CarriedNodes>& carried_nodes() const { return carried_nodes_; }
+  /// Sets their displacements in a local array.
+  void carry(double* u) const {
+    for (const CarriedNodes& nodes : carried_nodes_) nodes.place(u);
+  }
   const ModelScales& scales() const { return scales_; }
 
   /// Returns the elastic terms, named after their blocks, the springs of grips, and the interactions.
@@ -217,6 +227,7 @@ class Model {
   std::vector<Grip> grips_;
   std::vector<const Springs*> springs_;
   std::vector<DrivenGlobal> driven_globals_;
+  std::vector<CarriedNodes> carried_nodes_;
   bool has_supports_ = false;
 };
 

@@ -340,7 +340,8 @@ void Simulation::build_model(const Comm& comm, Inertia inertia, const CellSplits
   const std::vector<int> owner = plan_->owner.empty() ? partition(mesh, ranks, inertia) : plan_->owner;
   if (stages().any()) owner_ = owner;
   const SceneNode scene(parameters_, "");
-  RigidBodies bodies = read_rigid_bodies(scene.sublist("Rigid Bodies"), mesh.dimension, mesh.axisymmetric);
+  RigidBodies bodies =
+      read_rigid_bodies(scene.sublist("Rigid Bodies"), mesh.dimension, mesh.axisymmetric, inertia != Inertia::None);
   model_ = at("Materials", [&] {
     return std::make_unique<Model>(local_mesh(mesh, owner, comm->getRank(), ranks, inertia), comm, materials_, inertia,
                                    std::move(bodies));
@@ -354,7 +355,7 @@ void Simulation::build_model(const Comm& comm, Inertia inertia, const CellSplits
   const double start = is_start ? control.initial_time : std::numeric_limits<double>::quiet_NaN();
   add_interactions(interactions_, scene.sublist("Rigid Bodies"), histories, start, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
-  add_grips(scene.sublist("Grips"), histories, *model_);
+  add_grips(scene.sublist("Grips"), scene.sublist("Rigid Bodies"), histories, *model_);
   add_rigid_body_loads(scene.sublist("Rigid Bodies"), histories, *model_);
   at("Boundary Conditions", [&] { model_->check_tied_conditions(); });
   refuse_unused_histories(scene, interactions_, histories);

@@ -1,5 +1,6 @@
 #include "time/acceleration.hpp"
 
+#include "base/dense_solve.hpp"
 #include "time/body_steps.hpp"
 
 #include <algorithm>
@@ -40,6 +41,7 @@ bool Acceleration::solve(const Place& at, std::vector<double>& a) {
     reactions_ = solve_body_accelerations(model_, at.u, at.v, balance_.data(), a.data());
     drive_bodies(model_, time, nullptr, nullptr, a.data());
   }
+  if (!model_.carried_nodes().empty()) return solve_with_grips(at, a);
   if (!mass->is_lumped()) return solve_consistent(time, a);
   mass->divide(balance_.data(), a.data());
   double worst = 0;
@@ -48,6 +50,49 @@ bool Acceleration::solve(const Place& at, std::vector<double>& a) {
   model_.space().update_ghosts(a.data());
   model_.set_prescribed(time, nullptr, nullptr, a.data());
   return model_.space().maximum(worst) == 0;
+}
+
+/// The accelerations of bodies and of the nodes that they carry depend on each other. The balance of the bodies is
+/// linear in those of the bodies: one solve for each, and one with the solution.
+bool Acceleration::solve_with_grips(const Place& at, std::vector<double>& a) {
+  const std::vector<int>& free = model_.space().globals().free;
+  const auto first = static_cast<std::size_t>(model_.space().first_global());
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  bool solved = true;
+  // Sets the accelerations for those of the bodies; returns what the balance of the bodies lacks.
+  const auto lack = [&](const std::vector<double>& of_bodies) {
+    std::fill(a.begin(), a.end(), 0.0);
+    for (std::size_t k = 0; k < free.size(); ++k) a[first + static_cast<std::size_t>(free[k])] = of_bodies[k];
+    drive_bodies(model_, at.time, nullptr, nullptr, a.data());
+    for (const CarriedNodes& nodes : model_.carried_nodes()) nodes.accelerate(at.u, at.v, a.data());
+    solved = solve_consistent(at.time, a) && solved;
+    std::vector<double> force(owned), sums(reactions_.size(), 0.0);
+    model_.mass()->multiply(a.data(), force.data());
+    for (std::size_t i = 0; i < owned; ++i) force[i] -= balance_[i];
+    for (const CarriedNodes& nodes : model_.carried_nodes())
+      nodes.add_forces(nodes.sight(nullptr, at.u), force.data(), &sums[nodes.first() - first]);
+    model_.space().sum(sums.data(), static_cast<int>(sums.size()));
+    for (std::size_t i = 0; i < model_.rigid_bodies().size(); ++i)
+      model_.rigid_bodies()[i].add_inertia(1, &a[model_.first_number(i)], &sums[RigidBodies::first(i)]);
+    std::vector<double> result;
+    for (const int k : free)
+      result.push_back(sums[static_cast<std::size_t>(k)] - reactions_[static_cast<std::size_t>(k)]);
+    return result;
+  };
+  const std::size_t n = free.size();
+  std::vector<double> none(n, 0.0), matrix(n * n);
+  std::vector<double> start = lack(none);
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<double> unit(n, 0.0);
+    unit[k] = 1;
+    const std::vector<double> end = lack(unit);
+    for (std::size_t i = 0; i < n; ++i) matrix[i * n + k] = end[i] - start[i];
+  }
+  for (double& value : start) value = -value;
+  const std::vector<double> solution = dense_solve(matrix, start);
+  if (solution.empty() && n > 0) return false;
+  lack(solution);
+  return solved;
 }
 
 bool Acceleration::solve_consistent(double time, std::vector<double>& a) {

@@ -30,6 +30,7 @@ class Acceleration {
 
  private:
   bool solve_consistent(double time, std::vector<double>& a);
+  bool solve_with_grips(const Place& at, std::vector<double>& a);
   void record_driving_forces(State& state) const;
 
   const Model& model_;

@@ -1,5 +1,6 @@
 #include "time/body_stage.hpp"
 
+#include <cmath>
 #include <complex>
 
 #include "rigid/cayley.hpp"
@@ -78,6 +79,41 @@ void BodyStage::add_inertia(const double* u, const double* bracket, double* forc
     const Triple more = turning(i, body.rotation(u + first_ + first));
     for (std::size_t k = 0; k < 3; ++k) forces[first + RigidBody::turning + k] += more[k] / body.length();
   }
+}
+
+template <class Visit>
+void BodyStage::for_each_turning(const Visit& visit) const {
+  for (std::size_t i = 0; i < model_.rigid_bodies().size() && !momentum_; ++i)
+    if (const RigidBody& body = model_.rigid_bodies()[i]; body.turns()) visit(body, RigidBodies::first(i));
+}
+
+void BodyStage::add_moments(const double* u, const double* load, double* forces) const {
+  for_each_turning([&](const RigidBody& body, std::size_t first) {
+    const Triple w = body.rotation(u + first_ + first);
+    const double quarter = dot(w, w) / 4;
+    for (std::size_t k = first + RigidBody::turning; k < first + RigidBody::attitude; ++k)
+      forces[k] += load[first_ + k] * quarter / (1 + quarter);
+  });
+}
+
+void BodyStage::add_moments(const double* u, const double* load, Border& border) const {
+  for_each_turning([&](const RigidBody& body, std::size_t first) {
+    const Triple w = body.rotation(u + first_ + first);
+    const double sum = 1 + dot(w, w) / 4;
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const std::size_t place = first + RigidBody::turning + k; border.has(place))
+        border.entry(place, place) += load[first_ + place] * w[k] / (2 * sum * sum * body.length());
+  });
+}
+
+double BodyStage::moment_potential(const double* u, const double* load) const {
+  double sum = 0;
+  for_each_turning([&](const RigidBody& body, std::size_t first) {
+    const Triple w = body.rotation(u + first_ + first);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += load[first_ + first + RigidBody::turning + k] * body.length() * (w[k] - 2 * std::atan(w[k] / 2));
+  });
+  return sum;
 }
 
 double BodyStage::square_of_inertia(const double* x) const {

@@ -28,6 +28,13 @@ class BodyStage {
   void arm(const Table& table, std::size_t stage, const std::vector<KnownState>& known, double dt);
   /// Adds the inertia at a displacement to `forces`, by number; u and the inertia's bracket are local arrays.
   void add_inertia(const double* u, const double* bracket, double* forces) const;
+  /// Adds to `forces`, by number, what a moment, which is among the loads on w, does less on w than on the angle 2
+  /// atan(|w|/2): w' turns the body by 1/(1 + |w|^2/4) only. A moment acts about one axis. Nothing in schemes that
+  /// balance momentum. `load`: a local array.
+  void add_moments(const double* u, const double* load, double* forces) const;
+  /// Adds its derivatives, and returns its potential.
+  void add_moments(const double* u, const double* load, Border& border) const;
+  double moment_potential(const double* u, const double* load) const;
   /// Returns the sum of squares of the bodies' masses times x, a local array.
   double square_of_inertia(const double* x) const;
   /// Adds its derivatives.
@@ -35,6 +42,9 @@ class BodyStage {
 
  private:
   using Triple = std::array<double, 3>;
+  /// Calls visit(body, place of its first number among all) for each body to whose loads that applies.
+  template <class Visit>
+  void for_each_turning(const Visit& visit) const;
   template <class T>
   std::array<T, 3> turning(std::size_t body, const std::array<T, 3>& w) const;
 

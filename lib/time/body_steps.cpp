@@ -38,6 +38,13 @@ void drive_bodies(const Model& model, double time, double* u, double* v, double*
   }
 }
 
+void carry_nodes(const Model& model, double* u, double* v) {
+  for (const CarriedNodes& nodes : model.carried_nodes()) {
+    nodes.place(u);
+    if (model.mass() != nullptr) nodes.move(u, v);
+  }
+}
+
 void begin_body_steps(const Model& model, bool rates, State& end, const std::vector<std::vector<double>*>& past) {
   for_each_body(model, [&](const RigidBody& body, std::size_t first) {
     if (!body.turns()) return;

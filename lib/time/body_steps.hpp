@@ -14,6 +14,9 @@ void keep_attitudes(const Model& model, const std::vector<double>& start, std::v
 /// null.
 void drive_bodies(const Model& model, double time, double* u, double* v, double* a);
 
+/// Sets displacements and velocities of the nodes that bodies carry, in an accepted state.
+void carry_nodes(const Model& model, double* u, double* v);
+
 /// Makes the end of a step the start of one: rotations pass into attitudes. `rates`: the end has the rates of rotation
 /// vectors, which become spins. `past`: earlier displacements, whose rotations are seen from the new start, to first
 /// order; empty ones stay so.

@@ -120,6 +120,7 @@ void Integrator::begin_at(std::vector<double> u, std::vector<double> v, double t
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
   model_.set_prescribed(time, start.u.data(), start.v.data(), nullptr);
   drive_bodies(model_, time, start.u.data(), start.v.data(), nullptr);
+  carry_nodes(model_, start.u.data(), start.v.data());
   model_.initialize(known_states(states_, 1).front(), start.histories);
 }
 

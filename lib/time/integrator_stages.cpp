@@ -47,6 +47,7 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
   if (predictor != Predictor::LastDisplacement) solver(stage).problem.clip(states_[stage].u, guess);
   keep_attitudes(model_, states_[stage].u, guess);
   drive_bodies(model_, solver(stage).problem.time(), guess.data(), nullptr, nullptr);
+  model_.carry(guess.data());
   // Extrapolation would let the rounding across planes grow.
   model_.constraints().planes().project(guess.data(), model_.mesh().nodes());
 }
@@ -94,7 +95,10 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
     result = solve_from_nearby(stage, dt, u);
     result.iterations += spent;
   }
-  if (result.converged) model_.space().import(*unknown_, u.data());
+  if (result.converged) {
+    model_.space().import(*unknown_, u.data());
+    model_.carry(u.data());
+  }
   return result;
 }
 

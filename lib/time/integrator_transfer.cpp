@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
+#include "time/body_steps.hpp"
 #include "time/integrator.hpp"
 
 namespace ixos {
@@ -69,6 +70,7 @@ void Integrator::refuse_jump() const {
   std::vector<double> there(state.u);
   model_.constraints().set(state.time, there.data(), nullptr, nullptr);
   model_.constraints().planes().project(there.data(), model_.mesh().nodes());
+  drive_bodies(model_, state.time, there.data(), nullptr, nullptr);
   double jump = 0, size = 0;
   for (std::size_t i = 0; i < there.size(); ++i) {
     jump = std::max(jump, std::abs(there[i] - state.u[i]));

@@ -17,7 +17,7 @@ double StageProblem::way_left(const Vector& x) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   double sum = 0;
-  for (int dof : model_.constraints().dofs()) {
+  for (int dof : model_.constraints().prescribed()) {
     const auto i = static_cast<std::size_t>(dof);
     if (i < owned && !is_reached(i, view(i, 0))) sum += (view(i, 0) - prescribed_[i]) * (view(i, 0) - prescribed_[i]);
   }
@@ -29,7 +29,7 @@ void StageProblem::complete_direction(const Vector& x, Vector& direction) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto to = direction.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (int dof : model_.constraints().dofs()) {
+  for (int dof : model_.constraints().prescribed()) {
     const auto i = static_cast<std::size_t>(dof);
     if (i < owned) to(i, 0) = prescribed_[i] - from(i, 0);
   }

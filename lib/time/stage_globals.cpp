@@ -13,6 +13,7 @@ void StageProblem::sum_globals() {
   const std::size_t count = globals_.size();
   const std::vector<double>& interaction = balance_.force(Part::Interaction);
   std::vector<double> sums(balance_.global_forces());
+  if (!load_.empty()) bodies_->add_moments(u_.data(), load_.data(), sums.data());
   sums.resize(2 * count);
   for (std::size_t i = 0; i < count && !interaction.empty(); ++i) sums[count + i] = interaction[first + i];
   model_.space().sum(sums.data(), static_cast<int>(sums.size()));
@@ -57,6 +58,7 @@ Potential StageProblem::globals_potential(const std::vector<double>& u, const st
     sum.magnitude += std::abs(value);
   };
   for (std::size_t i = first; i < u.size(); ++i) add(kept_[i] * (u[i] - start_->u[i]));
+  if (!load_.empty()) add(bodies_->moment_potential(u.data(), load_.data()));
   if (!has_mass_ || model_.space().comm()->getRank() > 0) return sum;
   std::vector<double> forces(globals_.size(), 0.0);
   bodies_->add_inertia(u.data(), bracket.data(), forces.data());
@@ -64,11 +66,23 @@ Potential StageProblem::globals_potential(const std::vector<double>& u, const st
   return sum;
 }
 
-void StageProblem::take_border(BorderedOperator& w) {
+/// Adds the forces on carried nodes, which are among the reactions, to those on the bodies.
+void StageProblem::add_grip_forces() {
+  std::vector<double> sums(globals_.size(), 0.0);
+  grips_->add_forces(u_.data(), reaction_.data(), sums.data());
+  model_.space().sum(sums.data(), static_cast<int>(sums.size()));
+  for (std::size_t i = 0; i < sums.size(); ++i) globals_[i] += sums[i];
+}
+
+/// Sets the border at the last tangent, whose values are given before the constraints take rows and columns out.
+void StageProblem::take_border(BorderedOperator& w, const double* values) {
   find_border();
+  if (grips_) grips_->add_columns(u_.data(), values, border_);
   if (model_.space().comm()->getRank() == 0) bodies_->add_inertia(u_.data(), border_);
+  if (!load_.empty()) bodies_->add_moments(u_.data(), load_.data(), border_);
   const NodePlanes& planes = model_.constraints().planes();
   for (std::vector<double>& column : border_.columns()) model_.space().condense(column.data());
+  if (grips_) grips_->add_rows(u_.data(), reaction_.data(), values, border_);
   for (auto* const arrays : {&border_.columns(), &border_.rows()})
     for (std::vector<double>& array : *arrays) {
       planes.project(array.data(), model_.mesh().nodes());

@@ -12,7 +12,9 @@ Potential StageProblem::potential(const Vector& x) {
   const TimedScope timed(Phase::Residual);
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   std::vector<double> u(u_.size()), bracket(u_.size()), product(u_.size());
+  std::copy(u_.begin() + model_.space().first_global(), u_.end(), u.begin() + model_.space().first_global());
   model_.space().import(x, u.data());
+  model_.carry(u.data());
   BalancePoint at = point();
   for (Segment* segment : {&at.elastic, &at.interaction}) {
     segment->from = start_->u.data();

@@ -64,6 +64,7 @@ StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free, b
   if (!model.rigid_bodies().empty()) {
     const GlobalUnknowns& globals = model.space().globals();
     bodies_ = std::make_unique<BodyStage>(model);
+    if (!model.carried_nodes().empty()) grips_ = std::make_unique<CarriedGrips>(model);
     globals_.resize(static_cast<std::size_t>(globals.numbers));
     border_ = Border(local, globals.free, globals.numbers);
   }
@@ -124,6 +125,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
                              exact_rates_ ? prescribed_acceleration_.data() : nullptr);
   begin_stage(states, step);
   if (bodies_) bodies_->arm(table_, stage, states, dt);
+  if (grips_) grips_->arm(start_->u.data(), has_mass_ && table_.closing == Closing::Collocate);
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
@@ -179,7 +181,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
 double StageProblem::reach(const State& start) const {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   double farthest = 0;
-  for (const int dof : model_.constraints().dofs())
+  for (const int dof : model_.constraints().prescribed())
     farthest = std::max(farthest, std::abs(prescribed_[static_cast<std::size_t>(dof)]));
   double sums[2] = {dot(start.u, start.u, owned), static_cast<double>(owned)};
   model_.space().sum(sums, 2);
@@ -198,7 +200,7 @@ void StageProblem::begin_stage(const std::vector<KnownState>& known, StepMemorie
   start.mean_time = stage_->elastic.mean_time() * start.length;
   start.dt = dt_;
   if (exact_rates_ && !model_.constraints().empty()) {
-    start.driven = &model_.constraints().dofs();
+    start.driven = &model_.constraints().prescribed();
     start.driven_velocity = prescribed_velocity_.data();
   }
   start.histories = &start_->histories;
@@ -239,7 +241,7 @@ void StageProblem::clip(const std::vector<double>& base, std::vector<double>& gu
 void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
   evaluate(stage_->inertia.unknown, u.data(), start_->u.data(), known_inertia_, bracket);
   if (!exact_rates_) return;
-  for (int dof : model_.constraints().dofs()) {
+  for (int dof : model_.constraints().prescribed()) {
     const auto i = static_cast<std::size_t>(dof);
     bracket[i] = dt_ * dt_ * prescribed_acceleration_[i];
   }
@@ -247,6 +249,11 @@ void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<dou
 
 void StageProblem::move_to(const Vector& x) {
   model_.space().import(x, u_.data());
+  if (grips_) model_.carry(u_.data());
+  for (const int dof : model_.constraints().entrusted()) {
+    const auto i = static_cast<std::size_t>(dof);
+    prescribed_[i] = u_[i];
+  }
   at_u_ = {};
   iterates_.is_last = false;
 }
@@ -300,6 +307,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   balance_.sum(at, kept_.data(), out);
   if (bodies_) sum_globals();
   constrain_residual(out);
+  if (grips_) add_grip_forces();
   for (std::size_t i = owned; i < view.extent(0); ++i)
     out[i] = globals_[static_cast<std::size_t>(model_.space().globals().free[i - owned])];
   return true;
@@ -325,6 +333,7 @@ double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
   if (!model_.has_interactions()) return 1.0;
   move_to(x);
   model_.space().import(direction, direction_.data());
+  for (const CarriedNodes& nodes : model_.carried_nodes()) nodes.direct(u_.data(), direction_.data());
   return balance_.sums().admissible_step(segment(stage_->interaction), stage_->interaction, direction_.data());
 }
 

@@ -10,6 +10,7 @@
 #include "solve/newton/nonlinear_problem.hpp"
 #include "state/state.hpp"
 #include "time/body_stage.hpp"
+#include "time/carried_grips.hpp"
 #include "time/table.hpp"
 
 namespace ixos {
@@ -94,7 +95,8 @@ class StageProblem final : public NonlinearProblem {
   void sum_globals();
   void move_globals(const std::vector<double>& missing);
   void find_border();
-  void take_border(BorderedOperator& w);
+  void take_border(BorderedOperator& w, const double* values);
+  void add_grip_forces();
   Potential globals_potential(const std::vector<double>& u, const std::vector<double>& bracket) const;
   double rounding_force(const State& start, double coefficient);
   double reach(const State& start) const;
@@ -162,6 +164,7 @@ class StageProblem final : public NonlinearProblem {
   TangentAt tangent_at_;
   std::vector<double> values_;                 ///< the values of that tangent, if it is a matrix
   Teuchos::RCP<TangentOperator> matrix_free_;  ///< null if the tangent is a matrix
+  std::unique_ptr<CarriedGrips> grips_;        ///< null if no body carries nodes
   std::unique_ptr<BodyStage> bodies_;          ///< null without rigid bodies
   std::vector<double> globals_;                ///< forces on globals at the last residual, summed over ranks
   Border border_;

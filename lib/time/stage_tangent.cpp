@@ -82,8 +82,10 @@ bool StageProblem::is_at(const Vector& x) const {
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   bool same = true;
-  for (std::size_t i = 0; i < view.extent(0); ++i)
+  for (std::size_t i = 0; i < view.extent(0); ++i) {
+    if (grips_ && i < owned && grips_->carries(i)) continue;  // x has what the guess had
     same = same && view(i, 0) == (i < owned ? u_[i] : u_[model_.space().place_of_free(i - owned)]);
+  }
   return model_.space().minimum(same ? 1 : 0) > 0;
 }
 
@@ -94,7 +96,7 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
   auto* const bordered = dynamic_cast<BorderedOperator*>(&w);
   if (nonnull(matrix_free_)) {
     if (!has_tangent()) linearize();
-    if (bordered != nullptr) take_border(*bordered);
+    if (bordered != nullptr) take_border(*bordered, nullptr);
     return;
   }
   Operator& nodal = bordered != nullptr ? *bordered->nodal() : w;
@@ -105,8 +107,8 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
   } else {
     assemble(values);
   }
+  if (bordered != nullptr) take_border(*bordered, values);
   if (!model_.constraints().empty()) model_.constrained_entries().constrain(diagonal_, values);
-  if (bordered != nullptr) take_border(*bordered);
 }
 
 }  // namespace ixos

@@ -22,6 +22,8 @@ Array difference(const Array& a, const Array& b) {
 /// there are any.
 double with_external(const Model& model, const Array& x, const State& state) {
   double sum = dot(x, state.load, state.load.size()) + dot(x, state.reaction, state.reaction.size());
+  for (const int dof : model.constraints().entrusted())  // a body holds them: no external force
+    if (const auto i = static_cast<std::size_t>(dof); i < state.reaction.size()) sum -= x[i] * state.reaction[i];
   if (model.space().comm()->getRank() == 0)
     sum += dot(x.data() + model.space().first_global(), state.load_on_globals.data(), state.load_on_globals.size());
   return sum;
@@ -33,7 +35,7 @@ double exact_rate_work(const Model& model, const State& start, const State& end,
   Array product(owned), e(du.size(), 0.0);
   model.mass()->multiply(difference(end.v, start.v).data(), product.data());
   double sum = 0;
-  for (int dof : model.constraints().dofs()) {
+  for (int dof : model.constraints().prescribed()) {
     const auto i = static_cast<std::size_t>(dof);
     e[i] = end.v[i] - start.v[i] - dt * (start.a[i] + end.a[i]) / 2;
     if (i < owned) sum += ((start.v[i] + end.v[i]) / 2 - du[i] / dt) * product[i];

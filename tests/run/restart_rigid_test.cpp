@@ -18,6 +18,7 @@ std::string scene_of(int dimension, const std::string& scheme, const std::string
   options.dimension = dimension;
   options.mass = 3;
   options.gap = 0.3;
+  options.plate = dimension == 2 ? 5 : 0;
   options.body = push + held;
   options.more = list("Histories", expression("Push", "0.1*t")) + list("Output", output);
   return ball_on_block_lists(options) + list("Time Integrator", word("Type", scheme) + steps(0.02, 0.6));

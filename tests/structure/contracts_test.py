@@ -26,12 +26,15 @@ OWN = {"inside", "create_history", "create_memory"}
 # By wrapper: the functions that it leaves at their defaults, and why.
 FORCES = "forces and tangents are those of the double integral, of the distance only gaps count"
 KEEPS = "the distance has neither friction nor damage, so that nothing lasts from step to step"
+BODIES = "no rigid body carries a surface of a pair"
 on_purpose = {
     "DoubleIntegral": {
+        "add_border": BODIES,
         **dict.fromkeys(["add_force_and_keep", "add_kept_tangent", "create_kept", "is_gradient", "place"], FORCES),
         **dict.fromkeys(["begin_stage", "dissipates", "has_history", "has_state", "outlives_scene", "transfer"], KEEPS),
     },
-    "TwoPasses": dict.fromkeys(["add_force_and_keep", "add_kept_tangent"], "create_kept() returns null"),
+    "TwoPasses": {**dict.fromkeys(["add_force_and_keep", "add_kept_tangent"], "create_kept() returns null"),
+                  "add_border": BODIES},
 }
 
 

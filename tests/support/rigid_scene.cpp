@@ -29,9 +29,18 @@ std::string ball_on_block_lists(const RigidScene& options) {
       list("Wall", word("Side Set", "top") + word("Obstacle", "Sphere") +
                        list("Sphere", number("Radius", radius) + numbers("Center", centre)) +
                        word("Rigid Body", "Ball") + number("Gamma W", 25) + number("Gamma L", 2.5));
+  const std::string plate =
+      options.plate == 0
+          ? ""
+          : list("Plate", number("Mass", options.plate) + numbers("Centre", upright(-0.5, solid ? 2 : 4)) +
+                              numbers("Inertia", solid ? std::vector<double>{2 * options.plate, 3 * options.plate,
+                                                                             4 * options.plate}
+                                                       : std::vector<double>{5 * options.plate}));
+  const std::string grips =
+      plate.empty() ? "" : list("Grips", list("Glue", word("Node Set", "bottom") + word("Rigid Body", "Plate")));
   const std::string floor = options.held ? list("Boundary Conditions", list("Floor", word("Node Set", "bottom"))) : "";
-  return box + list("Materials", list("Block", number("Density", 1.0))) + list("Rigid Bodies", body) +
-         list("Interactions", wall) + floor + options.more;
+  return box + list("Materials", list("Block", number("Density", 1.0))) + list("Rigid Bodies", body + plate) +
+         list("Interactions", wall) + floor + grips + options.more;
 }
 
 Teuchos::ParameterList ball_on_block(const RigidScene& options) {

@@ -17,6 +17,7 @@ struct RigidScene {
   double gap = 0.5;        ///< of the ball at the start
   std::string settings{};  ///< of the scheme
   bool ball_rests = false;
+  double plate = 0;  ///< mass of a free plate to which the underside of the block is glued; 0: none
 };
 
 /// Returns all lists of the scene below but the integrator's.

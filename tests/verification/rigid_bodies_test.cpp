@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/grips.hpp"
 #include "support/comparison.hpp"
 #include "support/reports.hpp"
 #include "support/rigid_scene.hpp"
@@ -159,6 +160,36 @@ TEST(RigidBodiesTest, AMirrorChangesNothing) {
   for (const std::size_t i : {0, 1, 5}) EXPECT_NEAR(body_v(s)[i], signs[i] * body_v(t)[i], 1e-10) << i;
 }
 
+/// The scene in space with its axes renamed, z, x, y for x, y, z: a turn by 120 degrees.
+TEST(RigidBodiesTest, ATurnChangesNothing) {
+  RigidScene options;
+  options.dimension = 3;
+  options.mass = 3;
+  Teuchos::ParameterList scene = ball_on_block(options);
+  Simulation s(scene, world());
+  const auto turn = [](Teuchos::ParameterList& list, const char* name, const auto& of) {
+    Teuchos::Array<std::decay_t<decltype(of)>> values = list.get<Teuchos::Array<std::decay_t<decltype(of)>>>(name);
+    std::rotate(values.begin(), values.end() - 1, values.end());
+    list.set(name, values);
+  };
+  Teuchos::ParameterList& box = scene.sublist("Mesh").sublist("Box");
+  turn(box, "Lengths", 0.0);
+  turn(box, "Divisions", 0);
+  Teuchos::ParameterList& ball = scene.sublist("Rigid Bodies").sublist("Ball");
+  for (const char* const name : {"Inertia", "Centre", "Velocity", "Spin"}) turn(ball, name, 0.0);
+  Teuchos::ParameterList& wall = scene.sublist("Interactions").sublist("Wall");
+  wall.set("Side Set", "right");
+  turn(wall.sublist("Sphere"), "Center", 0.0);
+  Simulation t(scene, world());
+  go(s, 0.02, 60);
+  go(t, 0.02, 60);
+  EXPECT_NEAR(total_energy(s), total_energy(t), 1e-11);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(body_v(s)[i], body_v(t)[(i + 1) % 3], 1e-9) << i;
+    EXPECT_NEAR(body_v(s)[3 + i], body_v(t)[3 + (i + 1) % 3], 1e-9) << i;
+  }
+}
+
 /// Lengths in units that are 10 times smaller, stresses 100 times larger, times 3 times longer.
 TEST(RigidBodiesTest, UnitsChangeNothing) {
   const double length = 10, stress = 0.01, time = 1.0 / 3;  // of old units in new ones
@@ -221,6 +252,29 @@ TEST(RigidBodiesTest, ABodyFindsItsPlaceInEquilibrium) {
     EXPECT_NEAR(report_of(s).interaction_report().force[2], -0.5, 1e-7) << op;
     EXPECT_LT(body_u(s)[2], 0);
   }
+}
+
+/// A plate on top of a held block is pressed and turned: the block pushes and turns back.
+TEST(RigidBodiesTest, APlateFindsItsPlaceInEquilibrium) {
+  const std::string plate =
+      list("Plate", numbers("Centre", {4, 4.5}) + numbers("Force", {0.2, -0.5}) + word("Force History", "Press") +
+                        numbers("Moment", {0.3}) + word("Moment History", "Press"));
+  const std::string text =
+      list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {8, 4}) + counts("Divisions", {16, 8}))) +
+      list("Materials", list("Block", "")) + list("Rigid Bodies", plate) +
+      list("Grips", list("Glue", word("Node Set", "top") + word("Rigid Body", "Plate"))) +
+      list("Boundary Conditions", list("Floor", word("Node Set", "bottom"))) +
+      list("Histories", expression("Press", "t")) + list("Output", texts("Reactions", "{bottom}"));
+  Simulation s(scene(text + time_integrator("Static", 0.1, 1)), world());
+  go(s, 0.1, 10);
+  EXPECT_LT(body_u(s)[1], 0);
+  EXPECT_GT(body_u(s)[0], 0);
+  const Grip& grip = s.model().grips()[0];
+  const State& state = s.integrator().state();
+  const GripReaction reaction = grip_reaction(s.model(), grip, s.integrator().time(), state.u, state.v, state.reaction);
+  EXPECT_NEAR(reaction.force[0], 0.2, 1e-9);
+  EXPECT_NEAR(reaction.force[1], -0.5, 1e-9);
+  EXPECT_NEAR(reaction.moment[0], 0.3, 1e-9);
 }
 
 TEST(RigidBodiesTest, MatrixFreeIsAssembled) {

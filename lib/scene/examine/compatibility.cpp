@@ -97,11 +97,14 @@ void check_bodies(const SceneNode& scene, const std::vector<SceneInteraction>& i
                        "\" does not know rigid bodies; use an implicit scheme");
     const bool touches = std::any_of(interactions.begin(), interactions.end(),
                                      [&](const SceneInteraction& own) { return own.rigid_body == body.name(); });
-    if (is_static(table) && !touches)
-      throw InputError(
-          body.path() +
-          ": nothing holds the body, which no interaction names as its Rigid Body; in equilibrium it has no "
-          "place of its own");
+    const std::vector<SceneNode> grips = scene.sublist("Grips").sublists();
+    const bool grips_something = std::any_of(
+        grips.begin(), grips.end(), [&](const SceneNode& grip) { return grip.text("Rigid Body") == body.name(); });
+    if (is_static(table) && !touches && !grips_something)
+      throw InputError(body.path() +
+                       ": nothing holds the body, which no interaction and no grip names as its Rigid Body; in "
+                       "equilibrium it has no "
+                       "place of its own");
   }
 }
 

@@ -57,6 +57,8 @@ std::string matrix_only(const SceneNode& scene, const std::vector<Material>& mat
     if (has_action(materials[i].formulation)) continue;
     return nodes[i].path_of("Element Formulation") + " \"" + nodes[i].text("Element Formulation") + "\"";
   }
+  for (const SceneNode& node : scene.sublist("Grips").sublists())
+    if (!node.text("Rigid Body").empty()) return node.path_of("Rigid Body");
   for (const SceneNode& node : scene.sublist("Interactions").sublists()) {
     const SceneNode friction = node.sublist("Friction");
     if (friction.text("Type") != "None" && friction.text("Threshold") == "Current")

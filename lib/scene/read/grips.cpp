@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "model/grips.hpp"
+#include "scene/read/rigid_bodies.hpp"
 
 namespace ixos {
 namespace {
@@ -14,7 +15,11 @@ Options<GripOptions> make_options() {
                  {{"Rigid", {}}, {"Springs", {"Stiffness", "Damping"}}},
                  "Kind of grip. Rigid: the nodes follow a rigid body. Springs: springs and dashpots hold the nodes "
                  "to the places to which the rigid body would carry them, as a testing machine does.")
-      .add("Node Set", &GripOptions::node_set, "Node set that the grip holds.");
+      .add("Node Set", &GripOptions::node_set, "Node set that the grip holds.")
+      .add("Rigid Body", &GripOptions::rigid_body,
+           "Name of a list of Rigid Bodies, whose body the nodes follow; their forces act on it. Its Centre is the "
+           "Point "
+           "of the moment. Empty: the entries of this list move the nodes.");
   add_motion_options(all, "rigid body", "The moment of the grip refers to it. ");
   all.add("Stiffness", &GripOptions::stiffness,
           "Stiffness of all springs together, by direction [E0 for a grip in 2D, E0 L0 for a grip in 3D]. The "
@@ -40,13 +45,25 @@ void declare_grip(Teuchos::ParameterList& list) { options().declare(list); }
 
 GripOptions read_grip(const SceneNode& node) { return options().read(node); }
 
-void add_grips(const SceneNode& grips, const Histories& histories, Model& model) {
+void add_grips(const SceneNode& grips, const SceneNode& bodies, const Histories& histories, Model& model) {
   const int d = model.mesh().dimension;
   for (const SceneNode& node : grips.sublists()) {
     const GripOptions grip = read_grip(node);
     if (grip.node_set.empty()) throw InputError(node.path_of("Node Set") + " is missing: a grip needs it");
     at(node.path_of("Node Set"), [&] { return model.mesh().node_set(grip.node_set); });
-    const RigidMotion motion = rigid_motion(node, grip, histories, d);
+    if (!grip.rigid_body.empty()) {
+      if (grip.type != GripType::Rigid)
+        node.refuse("Rigid Body", "carries the nodes of a Rigid grip, not springs; leave it empty");
+      if (!grip.histories().empty() || !grip.point.empty())
+        node.refuse("Rigid Body", "moves the grip; leave it, or Translation, Rotation and Point, empty");
+    }
+    const auto whole = prescribed_motion(bodies, grip.rigid_body, histories, d, model.mesh().axisymmetric);
+    const RigidMotion motion = whole ? *whole : rigid_motion(node, grip, histories, d);
+    if (!grip.rigid_body.empty() && !whole) {
+      at(node.path_of("Rigid Body"), [&] { model.rigid_bodies().find(grip.rigid_body); });
+      at(node.path(), [&] { grip_by_body(model, node.name(), grip.node_set, grip.rigid_body); });
+      continue;
+    }
     if (grip.type == GripType::Rigid) {
       at(node.path(), [&] { grip_rigidly(model, node.name(), grip.node_set, motion); });
       continue;
@@ -64,7 +81,8 @@ std::string grips_in_words(const SceneNode& grips) {
   for (const SceneNode& node : grips.sublists()) {
     const GripOptions grip = read_grip(node);
     text += fmt::format("Grip {}: node set \"{}\", {}, {}", node.name(), grip.node_set,
-                        grip.type == GripType::Rigid ? "rigid" : "springs and dashpots", grip.in_words());
+                        grip.type == GripType::Rigid ? "rigid" : "springs and dashpots",
+                        grip.rigid_body.empty() ? grip.in_words() : "carried by the rigid body " + grip.rigid_body);
     if (grip.type == GripType::Springs)
       text += fmt::format(", stiffness {{{}}}, damping {{{}}}", fmt::join(grip.stiffness, ", "),
                           fmt::join(grip.damping, ", "));

@@ -15,6 +15,7 @@ enum class GripType { Rigid, Springs };
 struct GripOptions : MotionOptions {
   GripType type = GripType::Rigid;
   std::string node_set{};
+  std::string rigid_body{};
   std::vector<double> stiffness{};
   std::vector<double> damping{};
 };
@@ -24,9 +25,9 @@ void declare_grip(Teuchos::ParameterList& list);
 
 GripOptions read_grip(const SceneNode& node);
 
-/// Adds the grips of the list "Grips" to the model. Throws InputError with the list path, on all ranks alike.
-/// Collective.
-void add_grips(const SceneNode& grips, const Histories& histories, Model& model);
+/// Adds the grips of the list "Grips" to the model. `bodies`: the list "Rigid Bodies". Throws InputError with the list
+/// path, on all ranks alike. Collective.
+void add_grips(const SceneNode& grips, const SceneNode& bodies, const Histories& histories, Model& model);
 
 /// Returns a line for each grip: the set, what moves it and what holds it.
 std::string grips_in_words(const SceneNode& grips);

@@ -224,7 +224,7 @@ void declare_rigid_body(Teuchos::ParameterList& list) { options().declare(list);
 
 RigidBodySettings read_rigid_body(const SceneNode& node) { return options().read(node); }
 
-RigidBodies read_rigid_bodies(const SceneNode& bodies, int dimension, bool axisymmetric) {
+RigidBodies read_rigid_bodies(const SceneNode& bodies, int dimension, bool axisymmetric, bool has_inertia) {
   std::vector<RigidBody> all;
   for (const SceneNode& node : bodies.sublists()) {
     const RigidBodySettings own = read_rigid_body(node);
@@ -248,6 +248,8 @@ RigidBodies read_rigid_bodies(const SceneNode& bodies, int dimension, bool axisy
     else
       set_shape(node, own, dimension, dimension == 3 || axisymmetric, body);
     if (own.is_prescribed(dimension, axisymmetric)) continue;
+    if (has_inertia && body.mass == 0)
+      throw InputError(node.path_of("Mass") + " is missing: a body that moves in time needs it");
     at(node.path(), [&] { all.emplace_back(body, dimension, axisymmetric); });
   }
   return RigidBodies(std::move(all));

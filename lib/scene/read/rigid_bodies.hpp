@@ -41,9 +41,9 @@ void declare_rigid_body(Teuchos::ParameterList& list);
 
 RigidBodySettings read_rigid_body(const SceneNode& node);
 
-/// Returns the bodies of the list "Rigid Bodies", without those that are prescribed as a whole. Throws InputError with
-/// the list path.
-RigidBodies read_rigid_bodies(const SceneNode& bodies, int dimension, bool axisymmetric);
+/// Returns the bodies of the list "Rigid Bodies", without those that are prescribed as a whole. `has_inertia`: the run
+/// needs their masses. Throws InputError with the list path.
+RigidBodies read_rigid_bodies(const SceneNode& bodies, int dimension, bool axisymmetric, bool has_inertia);
 
 /// Returns the motion of a body that is prescribed as a whole; nothing if it is not.
 std::optional<RigidMotion> prescribed_motion(const SceneNode& bodies, const std::string& name,

@@ -1,7 +1,5 @@
 #include "solve/bordered/bordered_solver.hpp"
 
-#include <Teuchos_SerialDenseMatrix.hpp>
-#include <Teuchos_SerialDenseSolver.hpp>
 #include <Thyra_DefaultLinearOpSource.hpp>
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
@@ -11,12 +9,12 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/dense_solve.hpp"
 #include "solve/bordered/bordered_operator.hpp"
 
 namespace ixos {
 namespace {
 
-using Dense = Teuchos::SerialDenseMatrix<int, double>;
 using Criteria = Teuchos::Ptr<const Thyra::SolveCriteria<double>>;
 
 Teuchos::RCP<const BorderedOperator> bordered(const Thyra::LinearOpSourceBase<double>& source) {
@@ -72,35 +70,18 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   bool solve_columns(const Criteria& criteria) const {
     if (!solved_columns_.empty()) return true;
     const std::size_t count = border_->size();
-    const auto n = static_cast<int>(count);
     std::vector<Teuchos::RCP<Vector>> solved(count);
-    small_.shape(n, n);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) small_(i, j) = border_->block()[static_cast<std::size_t>(i * n + j)];
+    small_ = border_->block();
     for (std::size_t k = 0; k < count; ++k) {
       if (!border_->has_column(k)) continue;
       solved[k] = Teuchos::rcp(new Vector(border_->nodal()->getDomainMap()));
       if (solve_nodal(border_->column(k), solved[k], criteria).solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED)
         return false;
       const std::vector<double> product = border_->rows_times(*solved[k]);
-      for (int i = 0; i < n; ++i) small_(i, static_cast<int>(k)) -= product[static_cast<std::size_t>(i)];
+      for (std::size_t i = 0; i < count; ++i) small_[i * count + k] -= product[i];
     }
     solved_columns_ = std::move(solved);
     return true;
-  }
-
-  /// Returns the solution of the small system.
-  std::vector<double> solve_small(const std::vector<double>& rhs) const {
-    const auto n = static_cast<int>(rhs.size());
-    Dense matrix(small_), b(n, 1), x(n, 1);
-    for (int i = 0; i < n; ++i) b(i, 0) = rhs[static_cast<std::size_t>(i)];
-    Teuchos::SerialDenseSolver<int, double> solver;
-    solver.setMatrix(Teuchos::rcpFromRef(matrix));
-    solver.setVectors(Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(b));
-    solver.factorWithEquilibration(true);
-    if (solver.factor() != 0 || solver.solve() != 0)
-      throw std::runtime_error("the equations of what is no node's are singular");
-    return {x.values(), x.values() + n};
   }
 
   Thyra::SolveStatus<double> solveImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& b,
@@ -122,7 +103,8 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
       std::vector<double> globals = border_->globals_of(*rhs);
       const std::vector<double> known = border_->rows_times(*nodes);
       for (std::size_t k = 0; k < globals.size(); ++k) globals[k] -= known[k];
-      globals = solve_small(globals);
+      globals = dense_solve(small_, globals);
+      if (globals.empty()) throw std::runtime_error("the equations of what is no node's are singular");
       for (std::size_t k = 0; k < globals.size(); ++k)
         if (nonnull(solved_columns_[k])) nodes->update(-globals[k], *solved_columns_[k], 1.0);
       border_->set_globals(globals, *solution);
@@ -136,7 +118,7 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   Teuchos::RCP<const BorderedOperator> border_;
   VectorSpace space_;
   mutable std::vector<Teuchos::RCP<Vector>> solved_columns_;  ///< null where the column is 0; empty: not solved yet
-  mutable Dense small_;
+  mutable std::vector<double> small_;                         ///< row by row
 };
 
 }  // namespace

@@ -11,6 +11,9 @@ namespace {
 
 const char* const across_plane = "a condition moves a node across a plane that another one keeps it in";
 
+/// In place of a motion's number: the degree of freedom is entrusted to what is no node's.
+constexpr auto entrusted_motion = static_cast<std::size_t>(-1);
+
 bool is_motion(const MotionShare& share) { return share.motion != nullptr; }
 
 /// Without a motion the factor does not matter: both are held at zero.
@@ -35,8 +38,10 @@ void Constraints::check(int dof, const std::vector<MotionShare>& shares) const {
 bool Constraints::holds_by(int dof, const std::vector<MotionShare>& shares) const {
   if (!holds(dof)) return false;
   std::vector<MotionShare> known;
-  for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k)
+  for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k) {
+    if (entries_[k].motion == entrusted_motion) return false;
     known.push_back({entries_[k].factor, motions_[entries_[k].motion]});
+  }
   const std::vector<MotionShare> held{{0.0, nullptr}};
   const std::vector<MotionShare>& wanted = shares.empty() ? held : shares;
   return std::equal(known.begin(), known.end(), wanted.begin(), wanted.end(), are_same);
@@ -58,15 +63,28 @@ void Constraints::add(int dof, const std::vector<MotionShare>& shares) {
   if (index_.size() <= dof_index(dof)) index_.resize(dof_index(dof) + 1, -1);
   index_[dof_index(dof)] = static_cast<int>(entries_.size());
   dofs_.push_back(dof);
+  prescribed_.push_back(dof);
   if (dimension_ > 0) planes_.hold(dof / static_cast<int>(dimension_), dof_index(dof) % dimension_);
   if (shares.empty()) return push(dof, 0.0, nullptr);
   for (const auto& [factor, motion] : shares) push(dof, factor, motion);
 }
 
+void Constraints::entrust(int dof) {
+  refuse_closed();
+  const bool in_plane = dimension_ > 0 && !planes_.normals(dof / static_cast<int>(dimension_)).empty();
+  if (holds(dof) || in_plane)
+    throw InputError("a condition holds or moves a degree of freedom that a rigid body carries");
+  if (index_.size() <= dof_index(dof)) index_.resize(dof_index(dof) + 1, -1);
+  index_[dof_index(dof)] = static_cast<int>(entries_.size());
+  entries_.push_back({dof, entrusted_motion, 0.0});
+  dofs_.push_back(dof);
+  entrusted_.push_back(dof);
+}
+
 bool Constraints::moves(int dof) const {
   if (!holds(dof)) return false;
   for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k)
-    if (motions_[entries_[k].motion] != nullptr) return true;
+    if (entries_[k].motion == entrusted_motion || motions_[entries_[k].motion] != nullptr) return true;
   return false;
 }
 
@@ -106,6 +124,7 @@ void Constraints::set(double time, double* u, double* v, double* a) const {
   for (const auto& motion : motions_) values.push_back(motion ? motion->at(time) : TimeValue{});
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const auto& [dof, motion, factor] = entries_[k];
+    if (motion == entrusted_motion) continue;
     const TimeValue& value = values[motion];
     const bool first = k == 0 || entries_[k - 1].dof != dof;
     const auto put = [first, i = dof_index(dof)](double* x, double part) {

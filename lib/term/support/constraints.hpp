@@ -23,6 +23,9 @@ class Constraints {
   /// Throw the InputError of add(), and change nothing.
   void check(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) const;
   void check(int dof, const std::vector<MotionShare>& shares) const;
+  /// Constrains a degree of freedom whose value follows what is no node's: set() leaves it as it is. Throws InputError
+  /// if a condition moves or holds it; std::logic_error after Model::close().
+  void entrust(int dof);
   /// Keeps a node in a plane through it: normal . u = 0. It may have several planes; a component that a condition holds
   /// at zero stays so. `dimension`: that of the space. Throws InputError if a condition moves the node across the
   /// plane; check() and add() throw it where the plane was first. Throws std::logic_error after Model::close().
@@ -39,6 +42,9 @@ class Constraints {
   /// Returns whether a node stays in a plane of that normal: by its planes and the components that are held at zero.
   bool holds_in_plane(int node, std::size_t dimension, const Vec<3>& normal) const;
   const std::vector<int>& dofs() const { return dofs_; }
+  /// Returns those of dofs() that set() sets, and the others, which are entrusted.
+  const std::vector<int>& prescribed() const { return prescribed_; }
+  const std::vector<int>& entrusted() const { return entrusted_; }
   const NodePlanes& planes() const { return planes_; }
   /// Returns whether any degree of freedom moves.
   bool driven() const { return driven_; }
@@ -59,7 +65,7 @@ class Constraints {
     std::size_t motion;
     double factor;
   };
-  std::vector<int> dofs_;
+  std::vector<int> dofs_, prescribed_, entrusted_;
   std::vector<Entry> entries_;  ///< in the order of dofs_; a sum has several, one after the other
   std::vector<int> index_;      ///< by dof: its first entry, or -1
   std::vector<std::shared_ptr<const TimeFunction>> motions_;

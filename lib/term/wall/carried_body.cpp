@@ -15,15 +15,15 @@ Triple unit(std::size_t k) {
 
 }  // namespace
 
-BodySight CarriedBody::at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen) const {
-  BodySight sight{pose.turn, pose, false, point.to, point.to};
+SurfaceSight CarriedBody::at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen) const {
+  SurfaceSight sight{BodySight::at(pose.turn, pose.step, point.to), point.to};
   for (const MovingFrame::Node& node : frame_.nodes()) sight.arms.push_back(frame_.arm(pose, node, seen));
   return sight;
 }
 
-BodySight CarriedBody::between(const RigidPose& start, const RigidPose& end, const std::vector<double>& from,
-                               const std::vector<double>& to) const {
-  BodySight sight{frame_.motion().mean_turn(start, end), end, true, 0.5, 1};
+SurfaceSight CarriedBody::between(const RigidPose& start, const RigidPose& end, const std::vector<double>& from,
+                                  const std::vector<double>& to) const {
+  SurfaceSight sight{BodySight::between(start.turn, end.turn, end.step), 0.5};
   for (const MovingFrame::Node& node : frame_.nodes()) {
     sight.ends.push_back(frame_.arm(end, node, to));
     sight.arms.push_back(scaled(0.5, sum(frame_.arm(start, node, from), sight.ends.back())));
@@ -31,40 +31,19 @@ BodySight CarriedBody::between(const RigidPose& start, const RigidPose& end, con
   return sight;
 }
 
-Triple CarriedBody::to_rotation(const BodySight& sight, const Triple& x) const {
-  const Triple in_body = turned_back(sight.forces, x);
-  return sight.mean ? in_body : cayley_force(sight.pose.step, in_body);
-}
-
-Triple CarriedBody::turning(const BodySight& sight, std::size_t k) const {
-  return turned(sight.pose.turn, scaled(sight.to, cayley_spin(sight.pose.step, unit(k))));
-}
-
-Triple CarriedBody::to_rotation_by(const BodySight& sight, std::size_t k, const Triple& x) const {
-  const Triple& w = sight.pose.step;
-  const Triple spin = scaled(sight.to, cayley_spin(w, unit(k)));
-  const Triple in_body = turned_back(sight.pose.turn, x), turning = cross(in_body, spin);
-  if (sight.mean) return scaled(0.5, turning);
-  // H^T x = (x + w x x/2)/(1 + |w|^2/4)
-  const double factor = 1 / (1 + dot(w, w) / 4);
-  Triple result = cayley_force(w, turning);
-  result = sum(result, cross(unit(k), in_body), sight.to * factor / 2);
-  return sum(result, cayley_force(w, in_body), -sight.to * factor * w[k] / 2);
-}
-
-void CarriedBody::add_force(const BodySight& sight, const std::vector<double>& g, double* f) const {
+void CarriedBody::add_force(const SurfaceSight& sight, const std::vector<double>& g, double* f) const {
   Triple force{}, moment{};
   for (std::size_t n = 0; n < frame_.nodes().size(); ++n) {
     const MovingFrame::Node& node = frame_.nodes()[n];
     if (!node.owned) continue;
-    const Triple own = turned(sight.forces, frame_.vector_at(node, g.data()));
+    const Triple own = turned(sight.body.forces(), frame_.vector_at(node, g.data()));
     if (!node.derivative) force = sum(force, own);
     moment = sum(moment, cross(sight.arms[n], own));
   }
   double* const numbers = f + frame_.motion().first();
   for (std::size_t i = 0; i < 3; ++i) numbers[i] -= force[i];
   if (!body_.turns()) return;
-  const Triple turning = to_rotation(sight, moment);
+  const Triple turning = sight.body.to_rotation(moment);
   for (std::size_t i = 0; i < 3; ++i) numbers[RigidBody::turning + i] -= turning[i] / body_.length();
 }
 
@@ -87,30 +66,27 @@ void CarriedBody::clear() {
 }
 
 /// Nodes see the body's motion as their own the other way: -K times the motion, besides the turning of the forces.
-void CarriedBody::add_border(const BodySight& sight, const std::vector<double>& g, const std::vector<double>& values) {
+void CarriedBody::add_border(const SurfaceSight& sight, const std::vector<double>& g,
+                             const std::vector<double>& values) {
   const std::vector<MovingFrame::Node>& nodes = frame_.nodes();
   const std::size_t d = frame_.dimension();
   const std::size_t used = body_.turns() ? freedoms : 3;
   std::array<Triple, 3> spins{};
-  Small<double, 3> rows{};  // of L
-  for (std::size_t k = 0; k < 3 && used > 3; ++k) {
-    spins[k] = turning(sight, k);
-    const Triple column = to_rotation(sight, unit(k));
-    for (std::size_t i = 0; i < 3; ++i) rows[i][k] = column[i];
-  }
+  const Small<double, 3> rows = sight.body.matrix();  // L
+  for (std::size_t k = 0; k < 3 && used > 3; ++k) spins[k] = sight.body.turning(k);
   std::vector<std::array<Triple, freedoms>> columns(nodes.size()), motions(nodes.size()), moments(nodes.size());
   std::vector<Triple> forces(nodes.size());
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const Triple own = frame_.vector_at(nodes[n], g.data());
-    forces[n] = turned(sight.forces, own);
-    const Triple in_space = sight.mean ? scaled(0.5, turned(sight.pose.turn, own)) : forces[n];
-    const Triple& end = sight.mean ? sight.ends[n] : sight.arms[n];
+    forces[n] = turned(sight.body.forces(), own);
+    const Triple in_space = sight.body.is_mean() ? scaled(0.5, turned(sight.body.pose(), own)) : forces[n];
+    const Triple& end = sight.body.is_mean() ? sight.ends[n] : sight.arms[n];
     for (std::size_t k = 0; k < 3; ++k) {
       const Triple e = nodes[n].derivative ? Triple{} : unit(k);
       motions[n][k] = e;
       moments[n][k] = e;
       if (used == 3) continue;
-      motions[n][3 + k] = scaled(1 / sight.to, cross(spins[k], end));
+      motions[n][3 + k] = scaled(1 / sight.body.to(), cross(spins[k], end));
       columns[n][3 + k] = cross(spins[k], in_space);
       // (L (a x f))_k = f . (L_k x a), L_k the k-th row of L; its derivative by the arm is f x L_k.
       moments[n][3 + k] = cross(rows[k], sight.arms[n]);
@@ -136,12 +112,12 @@ void CarriedBody::add_border(const BodySight& sight, const std::vector<double>& 
     for (std::size_t i = 0; i < used; ++i)
       for (std::size_t k = 0; k < used; ++k) block_[i][k] -= dot(moments[n][i], columns[n][k]);
     for (std::size_t k = 0; k < 3 && used > 3 && !nodes[n].derivative; ++k) {
-      const Triple by_arm = to_rotation(sight, cross(unit(k), forces[n]));
+      const Triple by_arm = sight.body.to_rotation(cross(unit(k), forces[n]));
       for (std::size_t i = 0; i < 3; ++i) block_[3 + i][k] += sight.share * by_arm[i];
     }
   }
   for (std::size_t k = 0; k < 3 && used > 3; ++k) {
-    const Triple turned_rows = to_rotation_by(sight, k, moment);
+    const Triple turned_rows = sight.body.to_rotation_by(k, moment);
     for (std::size_t i = 0; i < 3; ++i) block_[3 + i][3 + k] -= turned_rows[i];
   }
 }

@@ -4,24 +4,18 @@
 #include <cstddef>
 #include <vector>
 
+#include "rigid/body_sight.hpp"
 #include "term/border.hpp"
 #include "term/wall/moving_frame.hpp"
 
 namespace ixos {
 
-/// How the forces of a point of a rule, or of a mean between two poses, act on a body. With forces g in the frame, f =
-/// A g in space at nodes with the arms a from the body's point:
-///   force on T: -sum f,   force on w: -L sum a x f.
-/// At a point A = R, and both are derivatives of the energy there: L = H^T R^T, H of cayley_spin(). Between two poses A
-/// is the mean of both rotations, L = A^T, and arms are means: then the forces' work in the step is the change of
-/// energy, and the moment that acts on the body, A^-T L a x f, is that of the forces on the nodes (Betsch and
-/// Steinmann 2001 join rigid bodies by directors likewise).
-struct BodySight {
-  Turn forces{};     ///< A - I
-  RigidPose pose{};  ///< of the point, or of the end
-  bool mean = false;
+/// How the forces g of a point of a rule, or of a mean between two poses, in the frame, act on a body: in space they
+/// are A g at nodes, A of BodySight::forces(), and
+///   force on T: -sum A g,   force on w: -L sum a x A g.
+struct SurfaceSight {
+  BodySight body{};
   double share = 1;                           ///< of the unknown in the arms
-  double to = 1;                              ///< of the unknown in the pose
   std::vector<std::array<double, 3>> arms{};  ///< by node of the frame
   std::vector<std::array<double, 3>> ends{};  ///< those at the pose, if others
 };
@@ -33,12 +27,12 @@ class CarriedBody {
   explicit CarriedBody(const MovingFrame& frame) : frame_(frame), body_(*frame.motion().body()) {}
 
   /// Return how forces act at a point of a rule, where `seen` is the displacement in the frame, or between two poses.
-  BodySight at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen) const;
-  BodySight between(const RigidPose& start, const RigidPose& end, const std::vector<double>& from,
-                    const std::vector<double>& to) const;
+  SurfaceSight at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen) const;
+  SurfaceSight between(const RigidPose& start, const RigidPose& end, const std::vector<double>& from,
+                       const std::vector<double>& to) const;
 
   /// Adds the forces on the body to a local array; g: a local array, forces on the nodes in the frame.
-  void add_force(const BodySight& sight, const std::vector<double>& g, double* f) const;
+  void add_force(const SurfaceSight& sight, const std::vector<double>& g, double* f) const;
   /// Adds to `change` what the body's part of a direction changes in the frame, to first order, times `factor`.
   void see_change(const RigidPose& pose, double factor, const double* direction, const std::vector<double>& seen,
                   std::vector<double>& change) const;
@@ -47,19 +41,13 @@ class CarriedBody {
   void clear();
   /// Adds a part: g as above; `values`, in the layout of the pattern, are the derivative of forces by displacements,
   /// both in space.
-  void add_border(const BodySight& sight, const std::vector<double>& g, const std::vector<double>& values);
+  void add_border(const SurfaceSight& sight, const std::vector<double>& g, const std::vector<double>& values);
   /// Adds the parts.
   void add_to(Border& border) const;
 
  private:
   using Triple = std::array<double, 3>;
   static constexpr std::size_t freedoms = 6;  ///< T, then w
-  /// Returns L x.
-  Triple to_rotation(const BodySight& sight, const Triple& x) const;
-  /// Returns dL/dw_k x.
-  Triple to_rotation_by(const BodySight& sight, std::size_t k, const Triple& x) const;
-  /// Returns the rotation vector in space by which the pose turns with w_k.
-  Triple turning(const BodySight& sight, std::size_t k) const;
 
   const MovingFrame& frame_;
   const RigidBody& body_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "rigid/body_sight.hpp"
+
 namespace ixos {
 
 RigidPose FrameMotion::pose(const Segment& segment, const RulePoint& point) const {
@@ -33,10 +35,7 @@ RigidPose FrameMotion::pose_of(const double* numbers) const {
 
 Turn FrameMotion::mean_turn(const RigidPose& start, const RigidPose& end) const {
   if (body() == nullptr) return turn_about(end.axis, (start.angle + end.angle) / 2);
-  Turn mean;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) mean[i][j] = (start.turn[i][j] + end.turn[i][j]) / 2;
-  return mean;
+  return BodySight::between(start.turn, end.turn, end.step).forces();
 }
 
 }  // namespace ixos

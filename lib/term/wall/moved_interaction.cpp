@@ -175,9 +175,9 @@ void MovedInteraction::add_carried_tangent(const Segment& segment, const Rule& a
     add_tangent(place, kind, own_values_.data());
     const Rule force = place.point != nullptr ? end_rule(place.point->weight) : place.rule;
     fixed_->add_force(place.inside, force, force_.data());
-    const BodySight sight = place.point != nullptr ? carried_->at(place.pose, *place.point, to_)
-                                                   : carried_->between(*place.start, place.pose, from_, to_);
-    frame_.turn_blocks(sight.forces, place.pose.turn, true, own_values_.data());
+    const SurfaceSight sight = place.point != nullptr ? carried_->at(place.pose, *place.point, to_)
+                                                      : carried_->between(*place.start, place.pose, from_, to_);
+    frame_.turn_blocks(sight.body.forces(), place.pose.turn, true, own_values_.data());
     carried_->add_border(sight, force_, own_values_);
     frame_.clear(force_);
     frame_.move_blocks(own_values_, values);
