@@ -18,7 +18,9 @@ std::vector<double> dense_solve(const std::vector<double>& a, const std::vector<
   solver.setMatrix(Teuchos::rcpFromRef(matrix));
   solver.setVectors(Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(rhs));
   solver.factorWithEquilibration(true);
-  if (solver.factor() != 0 || solver.solve() != 0) return {};
+  double condition = 0;  // its reciprocal
+  if (solver.factor() != 0 || solver.reciprocalConditionEstimate(condition) < 0 || condition < 1e-14) return {};
+  if (solver.solve() != 0) return {};
   return {x.values(), x.values() + n};
 }
 

@@ -53,7 +53,9 @@ void add_velocities(Simulation& simulation) {
   Integrator& integrator = simulation.integrator();
   State state = integrator.state();
   const std::vector<double> given = simulation.given_velocities();
-  for (std::size_t i = 0; i < given.size(); ++i) state.v[i] += given[i];
+  // Bodies go on with the velocities that they have.
+  const auto nodes = static_cast<std::size_t>(simulation.model().space().first_global());
+  for (std::size_t i = 0; i < nodes; ++i) state.v[i] += given[i];
   integrator.resume(state, integrator.works());
 }
 

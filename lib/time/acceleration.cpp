@@ -36,6 +36,7 @@ bool Acceleration::solve(const Place& at, std::vector<double>& a) {
   const double time = at.time;
   a.assign(static_cast<std::size_t>(model_.space().local()), 0.0);
   const Mass* mass = model_.mass();
+  if (!model_.driven_globals().empty() && mass == nullptr) find_reactions(at);
   if (!admissible || mass == nullptr) return admissible;
   if (!model_.rigid_bodies().empty()) {
     reactions_ = solve_body_accelerations(model_, at.u, at.v, balance_.data(), a.data());
@@ -57,7 +58,7 @@ bool Acceleration::solve(const Place& at, std::vector<double>& a) {
 bool Acceleration::solve_with_grips(const Place& at, std::vector<double>& a) {
   const std::vector<int>& free = model_.space().globals().free;
   const auto first = static_cast<std::size_t>(model_.space().first_global());
-  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const std::vector<double> of_bodies_alone = reactions_;
   bool solved = true;
   // Sets the accelerations for those of the bodies; returns what the balance of the bodies lacks.
   const auto lack = [&](const std::vector<double>& of_bodies) {
@@ -66,12 +67,9 @@ bool Acceleration::solve_with_grips(const Place& at, std::vector<double>& a) {
     drive_bodies(model_, at.time, nullptr, nullptr, a.data());
     for (const CarriedNodes& nodes : model_.carried_nodes()) nodes.accelerate(at.u, at.v, a.data());
     solved = solve_consistent(at.time, a) && solved;
-    std::vector<double> force(owned), sums(reactions_.size(), 0.0);
-    model_.mass()->multiply(a.data(), force.data());
-    for (std::size_t i = 0; i < owned; ++i) force[i] -= balance_[i];
-    for (const CarriedNodes& nodes : model_.carried_nodes())
-      nodes.add_forces(nodes.sight(nullptr, at.u), force.data(), &sums[nodes.first() - first]);
-    model_.space().sum(sums.data(), static_cast<int>(sums.size()));
+    reactions_ = of_bodies_alone;
+    grip_forces(at, a);
+    std::vector<double> sums(reactions_.size(), 0.0);
     for (std::size_t i = 0; i < model_.rigid_bodies().size(); ++i)
       model_.rigid_bodies()[i].add_inertia(1, &a[model_.first_number(i)], &sums[RigidBodies::first(i)]);
     std::vector<double> result;
@@ -93,6 +91,28 @@ bool Acceleration::solve_with_grips(const Place& at, std::vector<double>& a) {
   if (solution.empty() && n > 0) return false;
   lack(solution);
   return solved;
+}
+
+/// Without inertia: what is left over of the balance of globals, grips included.
+void Acceleration::find_reactions(const Place& at) {
+  const auto first = static_cast<std::ptrdiff_t>(model_.space().first_global());
+  reactions_.assign(balance_.begin() + first, balance_.end());
+  model_.space().sum(reactions_.data(), static_cast<int>(reactions_.size()));
+  grip_forces(at, {});
+}
+
+/// Subtracts the forces of carried nodes from the sums on globals; a: the accelerations, empty without inertia.
+void Acceleration::grip_forces(const Place& at, const std::vector<double>& a) {
+  if (model_.carried_nodes().empty()) return;
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const auto first = static_cast<std::size_t>(model_.space().first_global());
+  std::vector<double> force(owned), sums(reactions_.size(), 0.0);
+  if (!a.empty()) model_.mass()->multiply(a.data(), force.data());
+  for (std::size_t i = 0; i < owned; ++i) force[i] -= balance_[i];
+  for (const CarriedNodes& nodes : model_.carried_nodes())
+    nodes.add_forces(nodes.sight(nullptr, at.u), force.data(), &sums[nodes.first() - first]);
+  model_.space().sum(sums.data(), static_cast<int>(sums.size()));
+  for (std::size_t i = 0; i < sums.size(); ++i) reactions_[i] -= sums[i];
 }
 
 bool Acceleration::solve_consistent(double time, std::vector<double>& a) {

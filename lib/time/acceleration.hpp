@@ -31,6 +31,8 @@ class Acceleration {
  private:
   bool solve_consistent(double time, std::vector<double>& a);
   bool solve_with_grips(const Place& at, std::vector<double>& a);
+  void find_reactions(const Place& at);
+  void grip_forces(const Place& at, const std::vector<double>& a);
   void record_driving_forces(State& state) const;
 
   const Model& model_;

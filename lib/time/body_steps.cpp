@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "rigid/cayley.hpp"
 
@@ -38,11 +39,21 @@ void drive_bodies(const Model& model, double time, double* u, double* v, double*
   }
 }
 
+bool bodies_are_finite(const Model& model, double time) {
+  return std::all_of(model.driven_globals().begin(), model.driven_globals().end(), [time](const DrivenGlobal& driven) {
+    const TimeValue value = driven.motion->at(time);
+    return std::isfinite(value.value) && std::isfinite(value.rate) && std::isfinite(value.acceleration);
+  });
+}
+
 void carry_nodes(const Model& model, double* u, double* v) {
   for (const CarriedNodes& nodes : model.carried_nodes()) {
     nodes.place(u);
     if (model.mass() != nullptr) nodes.move(u, v);
   }
+  if (model.carried_nodes().empty()) return;
+  model.space().interpolate_tied(u);
+  model.space().interpolate_tied(v);
 }
 
 void begin_body_steps(const Model& model, bool rates, State& end, const std::vector<std::vector<double>*>& past) {

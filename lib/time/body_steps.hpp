@@ -14,6 +14,9 @@ void keep_attitudes(const Model& model, const std::vector<double>& start, std::v
 /// null.
 void drive_bodies(const Model& model, double time, double* u, double* v, double* a);
 
+/// Returns whether what moves bodies is defined at a time.
+bool bodies_are_finite(const Model& model, double time);
+
 /// Sets displacements and velocities of the nodes that bodies carry, in an accepted state.
 void carry_nodes(const Model& model, double* u, double* v);
 

@@ -58,6 +58,7 @@ void CarriedGrips::add_columns(const double* u, const double* values, Border& bo
 void CarriedGrips::add_rows(const double* u, const double* f, const double* values, Border& border) const {
   const std::vector<int>& free = model_.space().globals().free;
   std::vector<std::vector<double>> rows = border.rows();  // of terms alone
+  for (std::vector<double>& row : rows) model_.space().condense(row.data());
   for (const Grip& grip : grips_) {
     const BodySight sight = grip.nodes->sight(start_, u);
     const std::vector<CarriedNodes::Share> shares = grip.nodes->shares(sight);

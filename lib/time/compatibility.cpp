@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "material/elastic_law.hpp"
+#include "model/traits.hpp"
 
 namespace ixos {
 
@@ -62,11 +63,37 @@ std::string why_no_pairs(const Table& table, bool reacts) {
   return "";
 }
 
+std::string why_no_bodies(const Table& table, bool turning, bool carrying) {
+  const auto of = [&](const char* why) { return fmt::format("the scheme \"{}\" {}", table.name, why); };
+  if (is_explicit(table))
+    return of("is explicit: its longest stable step does not know rigid bodies; use an implicit one");
+  if (is_static(table)) return "";
+  const bool momentum = table.closing == Closing::Collocate;
+  for (const Stage& stage : table.stages) {
+    if (momentum && turning && (table.stages.size() > 1 || stage.end != 1))
+      return of("balances momentum over several stages, which bodies that turn cannot; use one of a single stage");
+    if (!momentum && carrying && stage.elastic.kept_weight != 0)
+      return of(
+          "weights forces of both ends of a step, which bodies that turn and carry nodes cannot: they would lose its "
+          "order; hold their rotations, or use a scheme such as Newmark or Energy-Momentum");
+    for (const RulePoint& point : stage.elastic.points)
+      if (!momentum && turning && point.to != 1)
+        return of("takes forces within a step, which bodies that turn cannot; use one such as Newmark");
+  }
+  return "";
+}
+
 void check_compatible(const Model& model, const Table& table) {
   for (const NamedInteraction& named : model.interactions())
     for (const Stage& stage : table.stages)
       if (!named.term->follows(stage.interaction.mean))
         throw InputError(fmt::format("the interaction \"{}\": {}", named.name, why_no_pairs(table, false)));
+  if (!model.rigid_bodies().empty()) {
+    bool carrying = false;
+    for (const CarriedNodes& nodes : model.carried_nodes()) carrying = carrying || nodes.body().turns();
+    if (const std::string why = why_no_bodies(table, has_turning_bodies(model), carrying); !why.empty())
+      throw InputError("Rigid Bodies: " + why);
+  }
   for (const Material& material : model.materials()) {
     const std::string block = " of block \"" + material.block + "\"";
     if (const std::string why = why_no_branches(material, table); !material.branches.empty() && !why.empty())

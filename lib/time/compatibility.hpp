@@ -21,8 +21,13 @@ std::string why_no_branches(const Material& material, const Table& table);
 /// `reacts`: the primary surface takes the reaction.
 std::string why_no_pairs(const Table& table, bool reacts = true);
 
+/// Returns why the scheme cannot move rigid bodies; empty if it can. `turning`: one of them turns; `carrying`: one that
+/// turns carries nodes.
+std::string why_no_bodies(const Table& table, bool turning, bool carrying);
+
 /// Throws InputError, on all ranks, with the block or the interaction, if the scheme needs a discrete gradient or a
-/// mean in closed form that the model does not have, or takes no Maxwell branches that it has. Not collective.
+/// mean in closed form that the model does not have, or takes no Maxwell branches or rigid bodies that it has. Not
+/// collective.
 void check_compatible(const Model& model, const Table& table);
 
 }  // namespace ixos

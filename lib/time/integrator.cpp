@@ -149,6 +149,7 @@ void Integrator::resume(const State& state) {
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
   model_.set_prescribed(start.time, start.u.data(), start.v.data(), nullptr);
   drive_bodies(model_, start.time, start.u.data(), start.v.data(), nullptr);
+  carry_nodes(model_, start.u.data(), start.v.data());
   find_forces();
 }
 
@@ -218,7 +219,7 @@ const std::vector<double>& Integrator::acceleration() {
 /// Expressions are sampled before a run (check_over). A value that the samples missed ends the step, not the program.
 bool Integrator::driving_is_defined(const Stage& stage, double dt, std::string& reason) const {
   const double start = time(), end = start + stage.end * dt;
-  bool defined = obstacles_are_finite(model_, end);
+  bool defined = obstacles_are_finite(model_, end) && bodies_are_finite(model_, end);
   if (has_external_) {
     defined = defined && model_.constraints().are_finite(end) && model_.loads().are_finite(end);
     for (const TimePoint& point : stage.load) defined = defined && model_.loads().are_finite(start + point.time * dt);

@@ -44,10 +44,22 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
   const double start = stage == 0 ? 0.0 : table_.stages[stage - 1].end;
   predictor = usable(predictor);
   look_ahead(predictor, stage, (table_.stages[stage].end - start) * dt, guess);
-  if (predictor != Predictor::LastDisplacement) solver(stage).problem.clip(states_[stage].u, guess);
-  keep_attitudes(model_, states_[stage].u, guess);
-  drive_bodies(model_, solver(stage).problem.time(), guess.data(), nullptr, nullptr);
-  model_.carry(guess.data());
+  const StageProblem& problem = solver(stage).problem;
+  const std::vector<double>& last = states_[stage].u;
+  keep_attitudes(model_, last, guess);
+  drive_bodies(model_, problem.time(), guess.data(), nullptr, nullptr);
+  if (!model_.driven_globals().empty()) {
+    // Obstacles are where the guess meets them.
+    std::vector<double> base(last);
+    drive_bodies(model_, problem.time(), base.data(), nullptr, nullptr);
+    if (predictor != Predictor::LastDisplacement) problem.clip(base, guess);
+  } else if (predictor != Predictor::LastDisplacement) {
+    problem.clip(last, guess);
+  }
+  if (!model_.carried_nodes().empty()) {
+    model_.carry(guess.data());
+    model_.space().interpolate_tied(guess.data());
+  }
   // Extrapolation would let the rounding across planes grow.
   model_.constraints().planes().project(guess.data(), model_.mesh().nodes());
 }
@@ -97,7 +109,10 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
   }
   if (result.converged) {
     model_.space().import(*unknown_, u.data());
-    model_.carry(u.data());
+    if (!model_.carried_nodes().empty()) {
+      model_.carry(u.data());
+      model_.space().interpolate_tied(u.data());
+    }
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "base/error.hpp"
 #include "time/body_steps.hpp"
@@ -17,6 +18,32 @@ void Integrator::check_whole(const char* name, const std::vector<double>& field,
   if (field.size() != static_cast<std::size_t>(size))
     throw InputError(fmt::format("\"{}\" is empty, but the state needs it", name));
 }
+
+namespace {
+
+/// Names the rigid bodies; throws InputError if the record has others.
+void transfer_bodies(Record& record, const Model& model) {
+  const RigidBodies& bodies = model.rigid_bodies();
+  const char* const section_name = "rigid bodies";
+  const auto refuse = [] {
+    throw InputError(
+        "the state has other rigid bodies, or in another order: a run goes on with the same ones, as free and as "
+        "prescribed as they were");
+  };
+  if (record.loading() && record.has_section(section_name) == bodies.empty()) refuse();
+  if (bodies.empty()) return;
+  const Record::Section section(record, section_name);
+  std::size_t count = bodies.size();
+  record.number("count", count);
+  if (count != bodies.size()) refuse();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string name = bodies[i].name();
+    record.text(("body " + std::to_string(i + 1)).c_str(), name);
+    if (name != bodies[i].name()) refuse();
+  }
+}
+
+}  // namespace
 
 /// Marks the checkpoint of a quasi-static state, whose velocity is the rate of its last step. Returns whether the state
 /// is one.
@@ -39,6 +66,7 @@ void Integrator::transfer(Record& record) {
       throw std::logic_error("the discretization has changed since the state was saved");
   }
   follow_slots();
+  transfer_bodies(record, model_);
   State& state = states_.front();
   record.field("displacement", state.u, Extent::Local);
   record.field("velocity", state.v, Extent::Local);

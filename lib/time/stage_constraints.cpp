@@ -60,7 +60,6 @@ void StageProblem::constrain_residual(double* out) {
       model_.constrained_entries().multiply(values_.data(), bracket_.data(), product_.data());
     }
     for (std::size_t i = 0; i < owned; ++i) out[i] -= product_[i];
-    if (bodies_) move_globals(bracket_);
   }
   planes.project(out, model_.mesh().owned_nodes);
   for (int dof : model_.constraints().dofs()) {

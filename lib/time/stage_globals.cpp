@@ -14,18 +14,23 @@ void StageProblem::sum_globals() {
   const std::vector<double>& interaction = balance_.force(Part::Interaction);
   std::vector<double> sums(balance_.global_forces());
   if (!load_.empty()) bodies_->add_moments(u_.data(), load_.data(), sums.data());
-  sums.resize(2 * count);
-  for (std::size_t i = 0; i < count && !interaction.empty(); ++i) sums[count + i] = interaction[first + i];
+  sums.resize(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!interaction.empty()) sums[count + i] = interaction[first + i];
+    sums[2 * count + i] = balance_.force(Part::Elastic)[first + i];  // of springs
+    if (!load_.empty()) sums[3 * count + i] = load_[first + i];
+  }
   model_.space().sum(sums.data(), static_cast<int>(sums.size()));
   globals_.assign(count, 0.0);
   bodies_->add_inertia(u_.data(), bracket_.data(), globals_.data());
-  double inertias = 0, interactions = 0;
+  double squares[4] = {};  // of inertia, and of those three
   for (const int global : model_.space().globals().free) {
     const auto i = static_cast<std::size_t>(global);
-    inertias += globals_[i] * globals_[i];
-    interactions += sums[count + i] * sums[count + i];
+    squares[0] += globals_[i] * globals_[i];
+    for (std::size_t k = 1; k < 4; ++k) squares[k] += sums[k * count + i] * sums[k * count + i];
   }
-  scale_ = std::max(scale_, std::sqrt(std::max(inertias, interactions)));
+  scale_ = std::max(scale_, std::sqrt(*std::max_element(squares, squares + 4)));
+  rounding_here_ += rounding_error_ * std::sqrt(squares[2]);
   for (std::size_t i = 0; i < count; ++i) globals_[i] += sums[i];
 }
 

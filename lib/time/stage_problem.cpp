@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/dot.hpp"
+#include "base/error.hpp"
 #include "base/phase_timer.hpp"
 #include "rule/row_on_states.hpp"
 #include "time/body_steps.hpp"
@@ -65,6 +66,8 @@ StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free, b
     const GlobalUnknowns& globals = model.space().globals();
     bodies_ = std::make_unique<BodyStage>(model);
     if (!model.carried_nodes().empty()) grips_ = std::make_unique<CarriedGrips>(model);
+    if (grips_ && matrix_free)
+      throw InputError("nodes that a rigid body carries need an assembled tangent; use the Operator \"Assembled\"");
     globals_.resize(static_cast<std::size_t>(globals.numbers));
     border_ = Border(local, globals.free, globals.numbers);
   }
@@ -245,11 +248,16 @@ void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<dou
     const auto i = static_cast<std::size_t>(dof);
     bracket[i] = dt_ * dt_ * prescribed_acceleration_[i];
   }
+  drive_bodies(model_, stage_time_, nullptr, nullptr, bracket.data());
+  for (const DrivenGlobal& driven : model_.driven_globals()) bracket[driven.place] *= dt_ * dt_;
 }
 
 void StageProblem::move_to(const Vector& x) {
   model_.space().import(x, u_.data());
-  if (grips_) model_.carry(u_.data());
+  if (grips_) {
+    model_.carry(u_.data());
+    model_.space().interpolate_tied(u_.data());
+  }
   for (const int dof : model_.constraints().entrusted()) {
     const auto i = static_cast<std::size_t>(dof);
     prescribed_[i] = u_[i];
@@ -307,6 +315,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   balance_.sum(at, kept_.data(), out);
   if (bodies_) sum_globals();
   constrain_residual(out);
+  if (bodies_ && moving_) move_globals(bracket_);  // on all ranks, also those that hold nothing
   if (grips_) add_grip_forces();
   for (std::size_t i = owned; i < view.extent(0); ++i)
     out[i] = globals_[static_cast<std::size_t>(model_.space().globals().free[i - owned])];
@@ -332,8 +341,12 @@ void StageProblem::record_forces(State& state) const {
 double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
   if (!model_.has_interactions()) return 1.0;
   move_to(x);
+  std::fill(direction_.begin() + model_.space().first_global(), direction_.end(), 0.0);
   model_.space().import(direction, direction_.data());
-  for (const CarriedNodes& nodes : model_.carried_nodes()) nodes.direct(u_.data(), direction_.data());
+  if (grips_) {
+    for (const CarriedNodes& nodes : model_.carried_nodes()) nodes.direct(u_.data(), direction_.data());
+    model_.space().interpolate_tied(direction_.data());
+  }
   return balance_.sums().admissible_step(segment(stage_->interaction), stage_->interaction, direction_.data());
 }
 

@@ -24,6 +24,8 @@ double local_error(const Model& model, const Table& table, const std::vector<Sta
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.space().owned()); ++i)
     if (!model.mesh().is_derivative(i / d) && !model.constraints().holds(static_cast<int>(i)))
       largest = std::max(largest, std::abs(third_derivative(i)));
+  for (std::size_t k = 0; k < model.space().globals().free.size(); ++k)
+    largest = std::max(largest, std::abs(third_derivative(model.space().place_of_free(k))));
   return std::max(std::abs(table.error_constant) * dt * dt * dt * model.space().maximum(largest),
                   history_error(model, {states.front().u.data(), nullptr, states.back().u.data(), states.front().time,
                                         dt, &states.front().histories}));

@@ -41,7 +41,15 @@ double exact_rate_work(const Model& model, const State& start, const State& end,
     if (i < owned) sum += ((start.v[i] + end.v[i]) / 2 - du[i] / dt) * product[i];
   }
   model.mass()->multiply(e.data(), product.data());
-  return sum + dot(du, product, owned) / dt;
+  sum += dot(du, product, owned) / dt;
+  if (model.space().comm()->getRank() > 0) return sum;
+  for (const DrivenGlobal& driven : model.driven_globals()) {
+    const std::size_t i = driven.place, first = static_cast<std::size_t>(model.space().first_global());
+    const double mass = model.rigid_bodies()[(i - first) / RigidBody::numbers].mass();
+    const double change = end.v[i] - start.v[i], error = change - dt * (start.a[i] + end.a[i]) / 2;
+    sum += mass * (((start.v[i] + end.v[i]) / 2 - du[i] / dt) * change + du[i] * error / dt);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -55,7 +63,8 @@ double work_of_external_forces(const Model& model, const Table& table, const std
     sum = with_external(model, du, end);
   } else if (table.work.form == WorkSum::Form::EndMean) {
     sum = (with_external(model, du, start) + with_external(model, du, end)) / 2;
-    if (model.mass() != nullptr && model.constraints().driven()) sum += exact_rate_work(model, start, end, du, dt);
+    if (model.mass() != nullptr && (model.constraints().driven() || !model.driven_globals().empty()))
+      sum += exact_rate_work(model, start, end, du, dt);
   } else {
     for (std::size_t i = 0; i < states.size(); ++i)
       sum += dt * table.work.weights[i] * with_external(model, states[i].v, states[i]);

@@ -27,6 +27,7 @@ TEST(RigidBodiesTest, TheTangentIsTheDerivativeOfTheResidual) {
   for (const auto& [dimension, plate] : {std::pair{2, 0.0}, {3, 0.0}, {2, 7.0}, {3, 7.0}})
     for (const char* const scheme : {"Energy-Momentum", "Average Vector Field", "Midpoint", "Newmark",
                                      "Generalized-Alpha", "Bathe Composite", "Gautam-Sauer Composite"}) {
+      if (plate > 0 && scheme == std::string("Generalized-Alpha")) continue;  // refused
       RigidScene options;
       options.dimension = dimension;
       options.scheme = scheme;
@@ -100,7 +101,7 @@ TEST(RigidBodiesTest, ImpactsKeepEnergyAndMomenta) {
       EXPECT_NEAR(energy_of(s), energy, 1e-9 * energy) << scheme << ' ' << dimension;
       for (std::size_t i = 0; i < before.linear.size(); ++i)
         EXPECT_NEAR(after.linear[i], before.linear[i], 1e-9) << scheme;
-      const double tolerance = scheme == std::string("Energy-Momentum") ? 1e-8 : 1;
+      const double tolerance = scheme == std::string("Energy-Momentum") ? 1e-8 : 0.05;  // of about 100: second order
       for (std::size_t i = 0; i < before.angular.size(); ++i)
         EXPECT_NEAR(after.angular[i], before.angular[i], tolerance) << scheme << ' ' << dimension;
     }
@@ -137,7 +138,7 @@ TEST(RigidBodiesTest, CarriedNodesKeepTheOrder) {
     return s.integrator().state().u;
   };
   const std::vector<double> reference = end("Energy-Momentum", 1600);
-  for (const char* const scheme : {"Energy-Momentum", "Newmark", "Generalized-Alpha", "Bathe Composite"}) {
+  for (const char* const scheme : {"Energy-Momentum", "Newmark", "Bathe Composite"}) {
     const double coarse = test::distance(end(scheme, 100), reference),
                  fine = test::distance(end(scheme, 200), reference);
     EXPECT_NEAR(coarse / fine, 4, 0.6) << scheme;

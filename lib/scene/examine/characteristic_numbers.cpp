@@ -85,8 +85,8 @@ void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
 
 /// Takes the adhesion from a surface that can never have a bond. A moved obstacle may begin at another place.
 void take_missing_bonds(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
-  numbers.never_bonds = !interaction.law->bonds_later() && !interaction.moves() &&
-                        numbers.least_gap >= interaction.law->range();
+  numbers.never_bonds =
+      !interaction.law->bonds_later() && !interaction.moves() && numbers.least_gap >= interaction.law->range();
   if (numbers.never_bonds) numbers.work = numbers.peak_traction = 0;
 }
 

@@ -177,9 +177,8 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
     driving.add_obstacle(interaction.node.sublist("Motion"), interaction.motion, histories);
   facts.motions = driving.motions();
   facts.loaded = driving.has_loads();
-  facts.moves = driving.moves() || std::any_of(interactions.begin(), interactions.end(), [](const auto& interaction) {
-                  return interaction.moves();
-                });
+  facts.moves = driving.moves() || std::any_of(interactions.begin(), interactions.end(),
+                                               [](const auto& interaction) { return interaction.moves(); });
   for (const SurfaceNumbers& surface : numbers.surfaces) {
     const SceneInteraction& interaction = interactions[surface.interaction];
     SurfaceFacts own;

@@ -134,6 +134,18 @@ void set_held(const SceneNode& node, const std::vector<std::string>& held, int d
   }
 }
 
+/// Refuses what a body that is prescribed as a whole cannot have.
+void refuse_without_effect(const SceneNode& node, const RigidBodySettings& own) {
+  for (const auto& [entry, values] : {std::pair{"Velocity", &own.velocity},
+                                      {"Spin", &own.spin},
+                                      {"Gravity", &own.gravity},
+                                      {"Force", &own.force},
+                                      {"Moment", &own.moment},
+                                      {"Stiffness", &own.stiffness},
+                                      {"Damping", &own.damping}})
+    if (!values->empty()) node.refuse(entry, "has no effect: histories and Held prescribe the whole motion; remove it");
+}
+
 void set_given(const SceneNode& node, const RigidBodySettings& own, int dimension, RigidBodyOptions& body) {
   body.mass = own.mass;
   const std::size_t count = own.inertia.size();
@@ -235,6 +247,7 @@ RigidBodies read_rigid_bodies(const SceneNode& bodies, int dimension, bool axisy
     check_length(node, "Translation", own.translation.size(), dimension);
     for (std::size_t i = 0; i < own.translation.size(); ++i) {
       if (own.along(i).empty()) continue;
+      if (axisymmetric && i == 0) node.refuse("Translation", "it moves the body off the axis of an axisymmetric mesh");
       if (!body.translates[i]) node.refuse("Translation", "it moves the body along a direction in which it is Held");
       body.translates[i] = false;
     }
@@ -247,7 +260,10 @@ RigidBodies read_rigid_bodies(const SceneNode& bodies, int dimension, bool axisy
       set_given(node, own, dimension, body);
     else
       set_shape(node, own, dimension, dimension == 3 || axisymmetric, body);
-    if (own.is_prescribed(dimension, axisymmetric)) continue;
+    if (own.is_prescribed(dimension, axisymmetric)) {
+      refuse_without_effect(node, own);
+      continue;
+    }
     if (has_inertia && body.mass == 0)
       throw InputError(node.path_of("Mass") + " is missing: a body that moves in time needs it");
     at(node.path(), [&] { all.emplace_back(body, dimension, axisymmetric); });

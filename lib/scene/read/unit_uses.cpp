@@ -70,6 +70,7 @@ UnitUses::UnitUses(const List& scene, const List& valid, int dimension)
         histories_[body.get<std::string>(history)].insert("load");
   for (const auto& [name, entry] : entries(bodies))
     for (const std::string& history : texts(sublist(bodies, name), "Base")) histories_[history].insert("motion");
+  for (const auto& [name, entry] : entries(bodies)) add_motion(sublist(bodies, name));
   const List grips = sublist(scene, "Grips"), interactions = sublist(scene, "Interactions");
   for (const auto& [name, entry] : entries(grips)) add_motion(sublist(grips, name));
   for (const auto& [name, entry] : entries(interactions)) add_motion(sublist(sublist(interactions, name), "Motion"));

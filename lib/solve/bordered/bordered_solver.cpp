@@ -104,7 +104,8 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
       const std::vector<double> known = border_->rows_times(*nodes);
       for (std::size_t k = 0; k < globals.size(); ++k) globals[k] -= known[k];
       globals = dense_solve(small_, globals);
-      if (globals.empty()) throw std::runtime_error("the equations of what is no node's are singular");
+      if (globals.empty())
+        throw std::runtime_error("nothing resists some motion of a rigid body: hold it, or add springs");
       for (std::size_t k = 0; k < globals.size(); ++k)
         if (nonnull(solved_columns_[k])) nodes->update(-globals[k], *solved_columns_[k], 1.0);
       border_->set_globals(globals, *solution);

@@ -178,6 +178,7 @@ std::string why_spatial(const List& complete) {
       !why.empty())
     return why;
   if (!sublist_names(complete.sublist("Grips")).empty()) return "it has grips";
+  if (!sublist_names(complete.sublist("Rigid Bodies")).empty()) return "it has rigid bodies";
   if (!sublist_names(complete.sublist("Time Integrator").sublist("Stop")).empty()) return "it has conditions to stop";
   const List& start = complete.sublist("Initial Conditions");
   const bool is_simple = sublist_names(start).empty() && numbers(start, "Velocity Gradient").empty() &&

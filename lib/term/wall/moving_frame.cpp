@@ -91,14 +91,16 @@ void MovingFrame::see(const RigidPose& pose, const double* u, std::vector<double
 
 void MovingFrame::see_change(const RigidPose& pose, double factor, const double* du, std::vector<double>& seen) const {
   for (const Node& node : nodes_) {
-    const Triple change = turned_back(pose.turn, vector_at(node, du));
+    Triple change = vector_at(node, du);
+    if (turns()) change = turned_back(pose.turn, change);
     for (std::size_t i = 0; i < d_; ++i) seen[node.first + i] = factor * change[i];
   }
 }
 
 void MovingFrame::add_moved(const Turn& turn, std::vector<double>& f, double* total) const {
   for (const Node& node : nodes_) {
-    const Triple force = turned(turn, vector_at(node, f.data()));
+    Triple force = vector_at(node, f.data());
+    if (turns()) force = turned(turn, force);
     for (std::size_t i = 0; i < d_; ++i) total[node.first + i] += force[i];
   }
   clear(f);

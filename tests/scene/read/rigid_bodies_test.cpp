@@ -93,7 +93,7 @@ TEST(RigidBodiesSceneTest, EachMistakeHasItsMessage) {
       refusal({whole, word("Rigid Body", "Ball") + list("Motion", texts("Translation", "{-, Press}"))}),
       "Interactions/Wall/Motion: moves an obstacle that belongs to a Rigid Body");
   test::expect_contains(refusal({whole, word("Rigid Body", "Ball"), "Central Difference"}),
-                        "Rigid Bodies/Ball: the longest stable step of the explicit scheme");
+                        "Rigid Bodies: the scheme \"Central Difference\" is explicit: its longest stable step");
   test::expect_contains(refusal({whole, "", "Static"}), "Rigid Bodies/Ball: nothing holds the body");
   test::expect_contains(refusal({whole + word("Rotation", "Press")}),
                         "Rigid Bodies/Ball/Rotation: with it each direction must be Held or have a history");
@@ -111,6 +111,22 @@ TEST(RigidBodiesSceneTest, EachMistakeHasItsMessage) {
   own.more = list("Grips", list("Glue", grip)) +
              list("Boundary Conditions", list("Floor", word("Node Set", "bottom") + word("Components", "y")));
   test::expect_contains(refusal(own), "a condition holds or moves a degree of freedom that a rigid body carries");
+}
+
+TEST(RigidBodiesSceneTest, WhatHasNoEffectIsRefused) {
+  const std::string whole = texts("Translation", "{-, Press}") + texts("Held", "{x, rz}");
+  EXPECT_EQ(refusal({whole}), "");
+  test::expect_contains(refusal({whole + numbers("Force", {0, 1})}), "Rigid Bodies/Ball/Force: has no effect");
+  test::expect_contains(refusal({whole + numbers("Spin", {1})}), "Rigid Bodies/Ball/Spin: has no effect");
+  Scene own{number("Mass", 1) + texts("Translation", "{Press, -}")};
+  own.mesh = word("Geometry", "Axisymmetric");
+  test::expect_contains(refusal(own), "Rigid Bodies/Ball/Translation: it moves the body off the axis");
+  own = {number("Mass", 1) + numbers("Inertia", {1})};
+  own.scheme = "Generalized-Alpha";
+  own.more = list("Grips", list("Glue", word("Node Set", "bottom") + word("Rigid Body", "Ball")));
+  test::expect_contains(refusal(own), "weights forces of both ends of a step");
+  own.body += texts("Held", "{rz}");
+  EXPECT_EQ(refusal(own), "");
 }
 
 TEST(RigidBodiesSceneTest, TheExplanationNamesThem) {
