@@ -1,5 +1,6 @@
 #include "time/body_stage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -13,7 +14,18 @@ BodyStage::BodyStage(const Model& model)
       has_inertia_(model.mass() != nullptr),
       velocity_(static_cast<std::size_t>(model.rigid_bodies().numbers())),
       acceleration_(velocity_.size()),
-      start_spin_(model.rigid_bodies().size()) {}
+      start_spin_(model.rigid_bodies().size()) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  for (const RigidBody& body : model.rigid_bodies())
+    for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes) && body.turns(); ++node) {
+      Triple arm{};
+      for (std::size_t i = 0; i < d && !mesh.is_derivative(node); ++i)
+        arm[i] = mesh.coordinates[node * d + i] - body.centre()[i];
+      reach_ = std::max(reach_, std::sqrt(dot(arm, arm)) / body.length());
+    }
+  reach_ = model.space().maximum(reach_);
+}
 
 void BodyStage::arm(const Table& table, std::size_t stage, const std::vector<KnownState>& known, double dt) {
   stage_ = &table.stages[stage];

@@ -22,7 +22,12 @@ namespace ixos {
 /// Everything here is alike on all ranks.
 class BodyStage {
  public:
+  /// Collective.
   explicit BodyStage(const Model& model);
+
+  /// Returns the largest distance of a node from the centre of a body that turns, in units of that body's length: by
+  /// how much forces and their rounding count more in the balance of w. At least 1, equal on all ranks.
+  double reach() const { return reach_; }
 
   /// As StageProblem::arm().
   void arm(const Table& table, std::size_t stage, const std::vector<KnownState>& known, double dt);
@@ -51,6 +56,7 @@ class BodyStage {
   const Model& model_;
   std::size_t first_;
   const Stage* stage_ = nullptr;
+  double reach_ = 1;
   bool momentum_ = false;
   bool has_inertia_ = false;
   double dt_ = 0;

@@ -227,8 +227,9 @@ double StageProblem::rounding_force(const State& start, double coefficient) {
   }
   model_.space().sum(squares, 4);
   // u_s is rounded, and so is the difference s (u_s - u_0) - s dt v - ... that makes the inertia.
-  return rounding_error_ * (coefficient * (std::sqrt(squares[0]) + 2 * dt_ * std::sqrt(squares[1])) +
-                            stiffness_ * std::sqrt(squares[2]) + std::sqrt(squares[3]));
+  return rounding_error_ *
+         (coefficient * (std::sqrt(squares[0]) + 2 * dt_ * std::sqrt(squares[1])) + stiffness_ * std::sqrt(squares[2]) +
+          (bodies_ ? bodies_->reach() : 1) * std::sqrt(squares[3]));
 }
 
 void StageProblem::clip(const std::vector<double>& base, std::vector<double>& guess) const {

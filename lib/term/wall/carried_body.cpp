@@ -31,6 +31,13 @@ SurfaceSight CarriedBody::between(const RigidPose& start, const RigidPose& end, 
   return sight;
 }
 
+void CarriedBody::subtract(const Triple& force, const Triple& turning, double* f) const {
+  double* const numbers = f + frame_.motion().first();
+  for (std::size_t i = 0; i < 3; ++i) numbers[i] -= force[i];
+  if (!body_.turns()) return;
+  for (std::size_t i = 0; i < 3; ++i) numbers[RigidBody::turning + i] -= turning[i] / body_.length();
+}
+
 void CarriedBody::add_force(const SurfaceSight& sight, const std::vector<double>& g, double* f) const {
   Triple force{}, moment{};
   for (std::size_t n = 0; n < frame_.nodes().size(); ++n) {
@@ -40,11 +47,21 @@ void CarriedBody::add_force(const SurfaceSight& sight, const std::vector<double>
     if (!node.derivative) force = sum(force, own);
     moment = sum(moment, cross(sight.arms[n], own));
   }
-  double* const numbers = f + frame_.motion().first();
-  for (std::size_t i = 0; i < 3; ++i) numbers[i] -= force[i];
-  if (!body_.turns()) return;
-  const Triple turning = sight.body.to_rotation(moment);
-  for (std::size_t i = 0; i < 3; ++i) numbers[RigidBody::turning + i] -= turning[i] / body_.length();
+  subtract(force, sight.body.to_rotation(moment), f);
+}
+
+void CarriedBody::add_force(const RigidPose& pose, const std::vector<double>& seen, const std::vector<double>& g,
+                            double* f) const {
+  Triple force{}, moment{};
+  for (const MovingFrame::Node& node : frame_.nodes()) {
+    if (!node.owned) continue;
+    const Triple own = frame_.vector_at(node, g.data());
+    if (!node.derivative) force = sum(force, own);
+    if (!body_.turns()) continue;
+    const Triple place = sum(node.place, frame_.vector_at(node, seen.data()));
+    moment = sum(moment, cross(node.derivative ? place : sum(place, pose.point, -1), own));
+  }
+  subtract(turned(pose.turn, force), cayley_force(pose.step, moment), f);
 }
 
 void CarriedBody::see_change(const RigidPose& pose, double factor, const double* direction,
@@ -69,56 +86,60 @@ void CarriedBody::clear() {
 void CarriedBody::add_border(const SurfaceSight& sight, const std::vector<double>& g,
                              const std::vector<double>& values) {
   const std::vector<MovingFrame::Node>& nodes = frame_.nodes();
+  const std::vector<std::size_t>& free = body_.free();
   const std::size_t d = frame_.dimension();
-  const std::size_t used = body_.turns() ? freedoms : 3;
   std::array<Triple, 3> spins{};
   const Small<double, 3> rows = sight.body.matrix();  // L
-  for (std::size_t k = 0; k < 3 && used > 3; ++k) spins[k] = sight.body.turning(k);
-  std::vector<std::array<Triple, freedoms>> columns(nodes.size()), motions(nodes.size()), moments(nodes.size());
-  std::vector<Triple> forces(nodes.size());
+  for (const std::size_t k : free)
+    if (k >= RigidBody::turning) spins[k - RigidBody::turning] = sight.body.turning(k - RigidBody::turning);
+  parts_.resize(nodes.size());
+  Triple force{}, moment{};  // of the nodes that this rank counts
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const Triple own = frame_.vector_at(nodes[n], g.data());
-    forces[n] = turned(sight.body.forces(), own);
-    const Triple in_space = sight.body.is_mean() ? scaled(0.5, turned(sight.body.pose(), own)) : forces[n];
+    Part& part = parts_[n];
+    const Triple own = frame_.vector_at(nodes[n], g.data()), in_space = turned(sight.body.forces(), own);
+    const Triple turning = sight.body.is_mean() ? scaled(0.5, turned(sight.body.pose(), own)) : in_space;
     const Triple& end = sight.body.is_mean() ? sight.ends[n] : sight.arms[n];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Triple e = nodes[n].derivative ? Triple{} : unit(k);
-      motions[n][k] = e;
-      moments[n][k] = e;
-      if (used == 3) continue;
-      motions[n][3 + k] = scaled(1 / sight.body.to(), cross(spins[k], end));
-      columns[n][3 + k] = cross(spins[k], in_space);
+    if (nodes[n].owned) {
+      if (!nodes[n].derivative) force = sum(force, in_space);
+      moment = sum(moment, cross(sight.arms[n], in_space));
+    }
+    for (const std::size_t i : free) {
+      part.columns[i] = {};
+      if (i < RigidBody::turning) {
+        part.motions[i] = part.moments[i] = nodes[n].derivative ? Triple{} : unit(i);
+        continue;
+      }
+      const std::size_t k = i - RigidBody::turning;
+      part.motions[i] = scaled(1 / sight.body.to(), cross(spins[k], end));
+      part.columns[i] = cross(spins[k], turning);
       // (L (a x f))_k = f . (L_k x a), L_k the k-th row of L; its derivative by the arm is f x L_k.
-      moments[n][3 + k] = cross(rows[k], sight.arms[n]);
-      if (nodes[n].owned) rows_[n][3 + k] = sum(rows_[n][3 + k], cross(forces[n], rows[k]), -sight.share);
+      part.moments[i] = cross(rows[k], sight.arms[n]);
+      if (nodes[n].owned) rows_[n][i] = sum(rows_[n][i], cross(in_space, rows[k]), -sight.share);
     }
   }
   for (const MovingFrame::Block& block : frame_.blocks()) {
     const bool counts = nodes[block.row].owned;
+    Part &row = parts_[block.row], &column = parts_[block.column];
     for (std::size_t i = 0; i < d; ++i)
       for (std::size_t j = 0; j < d; ++j) {
         const double value = values[block.first + i * block.stride + j];
-        for (std::size_t k = 0; k < used; ++k) {
-          columns[block.row][k][i] -= value * motions[block.column][k][j];
-          if (counts) rows_[block.column][k][j] -= moments[block.row][k][i] * value;
+        for (const std::size_t k : free) {
+          row.columns[k][i] -= value * column.motions[k][j];
+          if (counts) rows_[block.column][k][j] -= row.moments[k][i] * value;
         }
       }
   }
-  Triple moment{};
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    for (std::size_t k = 0; k < used; ++k) columns_[n][k] = sum(columns_[n][k], columns[n][k]);
-    if (!nodes[n].owned) continue;
-    moment = sum(moment, cross(sight.arms[n], forces[n]));
-    for (std::size_t i = 0; i < used; ++i)
-      for (std::size_t k = 0; k < used; ++k) block_[i][k] -= dot(moments[n][i], columns[n][k]);
-    for (std::size_t k = 0; k < 3 && used > 3 && !nodes[n].derivative; ++k) {
-      const Triple by_arm = sight.body.to_rotation(cross(unit(k), forces[n]));
-      for (std::size_t i = 0; i < 3; ++i) block_[3 + i][k] += sight.share * by_arm[i];
+  for (std::size_t n = 0; n < nodes.size(); ++n)
+    for (const std::size_t k : free) {
+      columns_[n][k] = sum(columns_[n][k], parts_[n].columns[k]);
+      if (!nodes[n].owned) continue;
+      for (const std::size_t i : free) block_[i][k] -= dot(parts_[n].moments[i], parts_[n].columns[k]);
     }
-  }
-  for (std::size_t k = 0; k < 3 && used > 3; ++k) {
-    const Triple turned_rows = sight.body.to_rotation_by(k, moment);
-    for (std::size_t i = 0; i < 3; ++i) block_[3 + i][3 + k] -= turned_rows[i];
+  if (!body_.turns()) return;
+  for (const std::size_t k : free) {
+    const Triple change = k < RigidBody::turning ? scaled(-sight.share, sight.body.to_rotation(cross(unit(k), force)))
+                                                 : sight.body.to_rotation_by(k - RigidBody::turning, moment);
+    for (std::size_t i = 0; i < 3; ++i) block_[RigidBody::turning + i][k] -= change[i];
   }
 }
 

@@ -33,6 +33,8 @@ class CarriedBody {
 
   /// Adds the forces on the body to a local array; g: a local array, forces on the nodes in the frame.
   void add_force(const SurfaceSight& sight, const std::vector<double>& g, double* f) const;
+  /// Does the same at a point of a rule, with sums in the frame.
+  void add_force(const RigidPose& pose, const std::vector<double>& seen, const std::vector<double>& g, double* f) const;
   /// Adds to `change` what the body's part of a direction changes in the frame, to first order, times `factor`.
   void see_change(const RigidPose& pose, double factor, const double* direction, const std::vector<double>& seen,
                   std::vector<double>& change) const;
@@ -48,11 +50,18 @@ class CarriedBody {
  private:
   using Triple = std::array<double, 3>;
   static constexpr std::size_t freedoms = 6;  ///< T, then w
+  /// Subtracts a force on T and one on w.
+  void subtract(const Triple& force, const Triple& turning, double* f) const;
 
   const MovingFrame& frame_;
   const RigidBody& body_;
   std::vector<std::array<Triple, freedoms>> columns_, rows_;  ///< by node of the frame, and by T and w
   Small<double, freedoms> block_{};
+  /// Of a node in one part: how it moves with the body's freedoms, how forces on it act on them, and its column.
+  struct Part {
+    std::array<Triple, freedoms> motions, moments, columns;
+  };
+  std::vector<Part> parts_;  ///< scratch
 };
 
 }  // namespace ixos

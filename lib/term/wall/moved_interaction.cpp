@@ -104,7 +104,7 @@ bool MovedInteraction::add_forces(const Segment& segment, const Rule& asked, Kep
   at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
     KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
     admissible = add(here(segment), end_rule(point.weight), part) && admissible;
-    if (carried_) carried_->add_force(carried_->at(pose, point, to_), force_, f);
+    if (carried_) carried_->add_force(pose, to_, force_, f);
     frame_.add_moved(pose.turn, force_, f);
     end_is_seen = end_is_seen || is_end(point);
   });
