@@ -33,7 +33,9 @@ class DofSpace {
   const GlobalUnknowns& globals() const { return globals_; }
   bool has_globals() const { return !globals_.free.empty(); }
   /// Returns the place of a free global in local arrays.
-  std::size_t place_of_free(std::size_t k) const { return static_cast<std::size_t>(first_global() + globals_.free[k]); }
+  std::size_t place_of_free(std::size_t k) const {
+    return static_cast<std::size_t>(first_global()) + static_cast<std::size_t>(globals_.free[k]);
+  }
   const Comm& comm() const { return comm_; }
   const Teuchos::RCP<const Map>& owned_map() const { return owned_map_; }
   const Teuchos::RCP<const Map>& local_map() const { return local_map_; }

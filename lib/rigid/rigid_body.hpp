@@ -31,7 +31,7 @@ struct RigidBodyOptions {
 /// of all unknowns.
 ///
 /// Within a step, the rates of l w in an array of a stage are those of w in schemes whose rows stand for rates, and
-/// the spin in schemes that balance momentum over the step (see RigidBodies::begin_chart()).
+/// the spin in schemes that balance momentum over the step (see begin_body_steps()).
 class RigidBody {
  public:
   static constexpr std::size_t numbers = 10, turning = 3, attitude = 6;

@@ -135,7 +135,7 @@ TEST(GripsTest, AxisymmetricBodiesStayOnTheAxis) {
   const RigidMotion lift(2, along_y);
   for (const GripSupport& radial : {GripSupport{{4, 8}, {}}, GripSupport{{0, 8}, {4, 0}}})
     expect_contains(refusal([&] { grip_elastically(*model, "Machine", "top", lift, radial); }),
-                    "has the radial component 4; on an axisymmetric mesh a grip acts along y only: use 0");
+                    "has the radial component 4; on an axisymmetric mesh it acts along y only: use 0");
   grip_elastically(*model, "Machine", "top", lift, {{0, 8}, {}});
   grip_rigidly(*model, "Clamp", "bottom", RigidMotion(2, {}));
   std::vector<double> u(static_cast<std::size_t>(model->space().local()), 0.0);

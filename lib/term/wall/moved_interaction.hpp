@@ -19,8 +19,9 @@ namespace ixos {
 ///
 /// Points of a rule are evaluated at the poses of their times. Other means join the places y0 and y1 that the ends of
 /// the segment have in the frame, each at its own pose. Their force is that mean's, f_0 with f_0 . (y1 - y0) = Pi_1 -
-/// Pi_0, turned by the mean of both angles. Then Pi_1 - Pi_0 - f . (u1 - u0) is the obstacle's work: exactly -f . (T1 -
-/// T0) if it does not turn, and of second order in the step if it does.
+/// Pi_0, turned by the mean of both angles, or of a body's rotations (FrameMotion::mean_turn()). With a prescribed
+/// motion Pi_1 - Pi_0 - f . (u1 - u0) is the obstacle's work: exactly -f . (T1 - T0) if it does not turn, and of second
+/// order in the step if it does.
 class MovedInteraction final : public Interaction, public Admissibility, public SurfaceReport, public ObstacleMotion {
  public:
   /// `fixed` is the interaction with the obstacle at rest; `sides` contain those on which it acts.
