@@ -11,10 +11,10 @@ namespace ixos {
 /// owned nodes first, then ghosts. Loads and reactions are owned arrays, empty if the model has no loads (no
 /// constraints); those of momentum-form schemes are means over the step that led here.
 struct State {
-  std::vector<double> u;           ///< displacement [L0]
-  std::vector<double> v;           ///< velocity [L0/T0]
-  std::vector<double> a;           ///< acceleration [L0/T0^2]; of momentum-form schemes only if it was asked for
-  std::vector<double> load{};      ///< external forces [E0 L0^(D-1)]
+  std::vector<double> u;                  ///< displacement [L0]
+  std::vector<double> v;                  ///< velocity [L0/T0]
+  std::vector<double> a;                  ///< acceleration [L0/T0^2]; of momentum-form schemes only if it was asked for
+  std::vector<double> load{};             ///< external forces [E0 L0^(D-1)]
   std::vector<double> load_on_globals{};  ///< those on what is no node's: on the first rank
   std::vector<double> reaction{};  ///< of constrained degrees of freedom, inertia and damping included; zero elsewhere
   double time = 0;                 ///< [T0]
@@ -22,8 +22,8 @@ struct State {
 
   bool operator==(const State& other) const {
     return u == other.u && v == other.v && a == other.a && load == other.load &&
-           load_on_globals == other.load_on_globals && reaction == other.reaction &&
-           time == other.time && histories == other.histories;
+           load_on_globals == other.load_on_globals && reaction == other.reaction && time == other.time &&
+           histories == other.histories;
   }
   bool operator!=(const State& other) const { return !(*this == other); }
 

@@ -73,6 +73,7 @@ bool Acceleration::solve_with_grips(const Place& at, std::vector<double>& a) {
     for (std::size_t i = 0; i < model_.rigid_bodies().size(); ++i)
       model_.rigid_bodies()[i].add_inertia(1, &a[model_.first_number(i)], &sums[RigidBodies::first(i)]);
     std::vector<double> result;
+    result.reserve(free.size());
     for (const int k : free)
       result.push_back(sums[static_cast<std::size_t>(k)] - reactions_[static_cast<std::size_t>(k)]);
     return result;
