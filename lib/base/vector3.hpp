@@ -1,6 +1,7 @@
 /// Vectors in space. In two dimensions the third component is 0.
 #pragma once
 #include <array>
+#include <cstddef>
 
 namespace ixos {
 
@@ -13,6 +14,13 @@ T dot(const std::array<T, 3>& x, const std::array<T, 3>& y) {
 template <class T>
 std::array<T, 3> cross(const std::array<T, 3>& x, const std::array<T, 3>& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+/// Returns the unit vector along axis k.
+inline std::array<double, 3> basis_vector(std::size_t k) {
+  std::array<double, 3> e{};
+  e[k] = 1;
+  return e;
 }
 
 }  // namespace ixos

@@ -46,6 +46,11 @@ Slab share_slab(const std::vector<long long>& lengths, int rank) {
 std::string lengths_name(const char* name) { return std::string(name) + " lengths"; }
 std::string globals_name(const char* name) { return std::string(name) + " of rigid bodies"; }
 
+void check_finite(const char* name, const std::vector<double>& values) {
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+    throw InputError(fmt::format("\"{}\" has a value that is not finite", name));
+}
+
 /// Returns the numbers of the rank's own nodes in the mesh.
 std::vector<long long> owned_nodes(const LocalMesh& mesh) {
   return {mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes};
@@ -175,16 +180,14 @@ void CheckpointReader::field(const char* name, std::vector<double>& values, Exte
       for (std::size_t node = 0; node < place_.size(); ++node)
         for (std::size_t i = 0; i < d; ++i) values[node * d + i] = all[place_[node] * d + i];
     }
-    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-      throw InputError(std::string("\"") + name + "\" has a value that is not finite");
+    check_finite(name, values);
   });
   if (present && extent == Extent::Local) space_.update_ghosts(values.data());
   const auto globals = static_cast<unsigned long long>(space_.globals().numbers);
   if (extent == Extent::Owned || globals == 0 || !present) return;
   together<InputError>(space_.comm(), [&] {
     const std::vector<double> all = file_->numbers(globals_name(name).c_str(), {0, globals, 0});
-    if (!std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); }))
-      throw InputError("\"" + globals_name(name) + "\" has a value that is not finite");
+    check_finite(globals_name(name).c_str(), all);
     std::copy(all.begin(), all.end(), values.begin() + space_.first_global());
   });
 }
@@ -218,16 +221,14 @@ void CheckpointReader::array(const char* name, std::vector<double>& values) {
       throw InputError(fmt::format("\"{}\" has {} values on rank {}, not {}", name, slab.count,
                                    space_.comm()->getRank(), values.size()));
     values = file_->numbers(name, slab);
-    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-      throw InputError(fmt::format("\"{}\" has a value that is not finite", name));
+    check_finite(name, values);
   });
 }
 
 void CheckpointReader::all_shares(const char* name, std::vector<double>& values) {
   together<InputError>(space_.comm(), [&] {
     values = file_->numbers(name, {0, file_->length(name), 0});
-    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-      throw InputError(std::string("\"") + name + "\" has a value that is not finite");
+    check_finite(name, values);
   });
 }
 

@@ -5,17 +5,6 @@
 #include "rigid/cayley.hpp"
 
 namespace ixos {
-namespace {
-
-using Triple = std::array<double, 3>;
-
-Triple unit(std::size_t k) {
-  Triple e{};
-  e[k] = 1;
-  return e;
-}
-
-}  // namespace
 
 CarriedNodes::CarriedNodes(const LocalMesh& mesh, const RigidBody& body, std::size_t first,
                            const std::vector<int>& nodes)
@@ -29,24 +18,27 @@ CarriedNodes::CarriedNodes(const LocalMesh& mesh, const RigidBody& body, std::si
   }
 }
 
+/// Sets what each node has: what its arm makes of it, and the body's own.
+template <class OfArm>
+void CarriedNodes::set(const Triple& of_body, const OfArm& of_arm, double* to) const {
+  for (const Node& node : nodes_) {
+    Triple own = of_arm(node.arm);
+    if (!node.derivative) own = sum(own, of_body);
+    std::copy_n(own.begin(), d_, to + node.place);
+  }
+}
+
 void CarriedNodes::place(double* u) const {
   const Turn turn = body_->turn(u + first_);
-  const Triple translation = RigidBody::triple(u + first_);
-  for (const Node& node : nodes_) {
-    Triple way = times(turn, node.arm);
-    if (!node.derivative) way = sum(way, translation);
-    std::copy_n(way.begin(), d_, u + node.place);
-  }
+  set(
+      RigidBody::triple(u + first_), [&](const Triple& arm) { return times(turn, arm); }, u);
 }
 
 void CarriedNodes::move(const double* u, double* v) const {
   const Turn turn = body_->turn(u + first_);
   const Triple velocity = RigidBody::triple(v + first_), spin = body_->spin_in_space(u + first_, v + first_);
-  for (const Node& node : nodes_) {
-    Triple own = cross(spin, turned(turn, node.arm));
-    if (!node.derivative) own = sum(own, velocity);
-    std::copy_n(own.begin(), d_, v + node.place);
-  }
+  set(
+      velocity, [&](const Triple& arm) { return cross(spin, turned(turn, arm)); }, v);
 }
 
 void CarriedNodes::accelerate(const double* u, const double* v, double* a) const {
@@ -54,23 +46,19 @@ void CarriedNodes::accelerate(const double* u, const double* v, double* a) const
   const Triple acceleration = RigidBody::triple(a + first_);
   const Triple spin = body_->spin_in_space(u + first_, v + first_);
   const Triple rate = turned(turn, body_->spin(a + first_));  // R s' is the rate of R s
-  for (const Node& node : nodes_) {
-    const Triple arm = turned(turn, node.arm);
-    Triple own = sum(cross(rate, arm), cross(spin, cross(spin, arm)));
-    if (!node.derivative) own = sum(own, acceleration);
-    std::copy_n(own.begin(), d_, a + node.place);
-  }
+  const auto of_arm = [&](const Triple& arm) {
+    const Triple now = turned(turn, arm);
+    return sum(cross(rate, now), cross(spin, cross(spin, now)));
+  };
+  set(acceleration, of_arm, a);
 }
 
 void CarriedNodes::direct(const double* u, double* direction) const {
   const Turn turn = body_->turn(u + first_);
   const Triple way = RigidBody::triple(direction + first_);
   const Triple turning = turned(turn, cayley_spin(body_->rotation(u + first_), body_->rotation(direction + first_)));
-  for (const Node& node : nodes_) {
-    Triple own = cross(turning, turned(turn, node.arm));
-    if (!node.derivative) own = sum(own, way);
-    std::copy_n(own.begin(), d_, direction + node.place);
-  }
+  set(
+      way, [&](const Triple& arm) { return cross(turning, turned(turn, arm)); }, direction);
 }
 
 BodySight CarriedNodes::sight(const double* start, const double* u) const {
@@ -103,7 +91,7 @@ std::vector<CarriedNodes::Share> CarriedNodes::shares(const BodySight& sight) co
     Share share{node.place, node.owned, {}, {}};
     const Triple end = turned(sight.pose(), node.arm), mean = arm(sight, node);
     for (std::size_t k = 0; k < 3; ++k) {
-      share.motions[k] = share.moments[k] = node.derivative ? Triple{} : unit(k);
+      share.motions[k] = share.moments[k] = node.derivative ? Triple{} : basis_vector(k);
       if (!body_->turns()) continue;
       share.motions[3 + k] = scaled(1 / body_->length(), cross(spins[k], end));
       share.moments[3 + k] = scaled(1 / body_->length(), cross(rows[k], mean));

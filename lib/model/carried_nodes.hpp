@@ -52,6 +52,8 @@ class CarriedNodes {
     bool owned, derivative;
     Triple arm;  ///< X - C, or the derivative of X
   };
+  template <class OfArm>
+  void set(const Triple& of_body, const OfArm& of_arm, double* to) const;
   Triple arm(const BodySight& sight, const Node& node) const { return turned(sight.forces(), node.arm); }
 
   const RigidBody* body_;

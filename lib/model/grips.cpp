@@ -1,5 +1,4 @@
 #include "model/grips.hpp"
-#include "term/support/springs.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +8,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
-#include "model/support_numbers.hpp"
+#include "model/supports.hpp"
 
 namespace ixos {
 namespace {
@@ -68,21 +67,6 @@ DrivenEnds driven_ends(const Model& model, const Carriers& carriers, const Rigid
   return ends;
 }
 
-/// Adds the loads sum_k (coefficient factor_k) history(motion_k), one for each motion: all ranks add the same ones.
-template <class History>
-void add_driving_loads(Model& model, const DrivenEnds& ends, const RigidMotion& motion, const History& history) {
-  const LocalMesh& mesh = model.mesh();
-  for (const auto& function : motion.functions()) {
-    std::vector<double> forces(static_cast<std::size_t>(model.space().local()), 0.0);
-    for (std::size_t k = 0; k < ends.dofs.size(); ++k)
-      for (const MotionShare& share :
-           shares_of(mesh, motion, ends.dofs[k] / mesh.dimension, ends.dofs[k] % mesh.dimension))
-        if (share.motion == function)
-          forces[static_cast<std::size_t>(ends.dofs[k])] += ends.coefficients[k] * share.factor;
-    model.loads().add(std::move(forces), history(function));
-  }
-}
-
 }  // namespace
 
 void grip_rigidly(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion) {
@@ -130,26 +114,14 @@ void grip_by_body(Model& model, const std::string& name, const std::string& node
 void grip_elastically(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion,
                       const GripSupport& support) {
   const std::size_t set = checked_set(model, name, node_set, motion);
-  const std::vector<double> stiffness = support_numbers("stiffness", support.stiffness, model.mesh());
-  const std::vector<double> damping = support_numbers("damping", support.damping, model.mesh());
-  if (stiffness.empty() && damping.empty())
-    throw InputError("the grip has neither a stiffness nor a damping greater than 0");
-  if (!damping.empty() && model.mass() == nullptr)
-    throw InputError("the grip has a damping, but without inertia there are no velocities; use the damping 0");
   const Carriers nodes = carriers(model, set);
   if (nodes.count == 0) throw InputError("the node set \"" + node_set + "\" has no nodes");
-  const auto local = static_cast<std::size_t>(model.space().local());
-  std::unique_ptr<Springs> springs;
-  std::unique_ptr<Dashpots> dashpots;
-  if (!stiffness.empty()) {
-    springs = std::make_unique<Springs>(driven_ends(model, nodes, motion, stiffness), model.pattern(), local);
-    add_driving_loads(model, springs->ends(), motion, [](const auto& f) { return f; });
-  }
-  if (!damping.empty()) {
-    dashpots = std::make_unique<Dashpots>(driven_ends(model, nodes, motion, damping), model.pattern(), local);
-    add_driving_loads(model, dashpots->ends(), motion, [](const auto& f) { return rate_of(f); });
-  }
-  model.add_grip({name, set, motion, false}, std::move(springs), std::move(dashpots));
+  Supports supports = make_supports(
+      model, "the grip", support.stiffness, support.damping, motion,
+      [&](const std::vector<double>& coefficients) { return driven_ends(model, nodes, motion, coefficients); });
+  if (!supports.springs && !supports.dashpots)
+    throw InputError("the grip has neither a stiffness nor a damping greater than 0");
+  model.add_grip({name, set, motion, false}, std::move(supports.springs), std::move(supports.dashpots));
 }
 
 }  // namespace ixos

@@ -156,9 +156,11 @@ class Model {
   const std::vector<DrivenGlobal>& driven_globals() const { return driven_globals_; }
   /// Returns the nodes that bodies carry; the length is equal on all ranks.
   const std::vector<CarriedNodes>& carried_nodes() const { return carried_nodes_; }
-  /// Sets their displacements in a local array.
+  /// Sets their displacements in a local array, and those of nodes that are tied to them.
   void carry(double* u) const {
+    if (carried_nodes_.empty()) return;
     for (const CarriedNodes& nodes : carried_nodes_) nodes.place(u);
+    space().interpolate_tied(u);
   }
   const ModelScales& scales() const { return scales_; }
 

@@ -31,7 +31,7 @@ void check(const SurfaceInteraction& interaction, const LocalMesh& mesh) {
     refuse(fmt::format("has an obstacle whose motion has {} dimensions, but the mesh has {}",
                        interaction.motion->dimension(), mesh.dimension));
   if (interaction.motion && interaction.motion->moves() && !interaction.rigid_body.empty())
-    refuse("has an obstacle that belongs to a rigid body and has a motion of its own");
+    refuse("has an obstacle that belongs to a rigid body and also has a motion");
   if (mesh.axisymmetric && interaction.motion && (interaction.motion->turns() || interaction.motion->translates(0)))
     refuse("has an obstacle that moves off the axis of an axisymmetric mesh: it may translate along y only");
 }

@@ -7,12 +7,6 @@ namespace {
 
 using Triple = std::array<double, 3>;
 
-Triple unit(std::size_t k) {
-  Triple e{};
-  e[k] = 1;
-  return e;
-}
-
 }  // namespace
 
 BodySight BodySight::at(const Turn& turn, const Triple& step, double to) {
@@ -39,22 +33,24 @@ Triple BodySight::to_rotation(const Triple& x) const {
 Small<double, 3> BodySight::matrix() const {
   Small<double, 3> result{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Triple column = to_rotation(unit(k));
+    const Triple column = to_rotation(basis_vector(k));
     for (std::size_t i = 0; i < 3; ++i) result[i][k] = column[i];
   }
   return result;
 }
 
-Triple BodySight::turning(std::size_t k) const { return turned(pose_, scaled(to_, cayley_spin(step_, unit(k)))); }
+Triple BodySight::turning(std::size_t k) const {
+  return turned(pose_, scaled(to_, cayley_spin(step_, basis_vector(k))));
+}
 
 Triple BodySight::to_rotation_by(std::size_t k, const Triple& x) const {
-  const Triple spin = scaled(to_, cayley_spin(step_, unit(k)));
+  const Triple spin = scaled(to_, cayley_spin(step_, basis_vector(k)));
   const Triple in_body = turned_back(pose_, x), turning = cross(in_body, spin);
   if (mean_) return scaled(0.5, turning);
   // H^T x = (x + w x x/2)/(1 + |w|^2/4)
   const double factor = 1 / (1 + dot(step_, step_) / 4);
   Triple result = cayley_force(step_, turning);
-  result = sum(result, cross(unit(k), in_body), to_ * factor / 2);
+  result = sum(result, cross(basis_vector(k), in_body), to_ * factor / 2);
   return sum(result, cayley_force(step_, in_body), -to_ * factor * step_[k] / 2);
 }
 

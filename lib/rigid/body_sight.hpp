@@ -7,10 +7,10 @@
 
 namespace ixos {
 
-/// Forces f in space at the arms a from a body's centre act on w, the rotation since the start of the step, as L sum a
-/// x f. At a pose, L = H^T R^T with H of cayley_spin(): the force is then the derivative of the work by w. Between the
-/// poses at both ends of a step, a is the mean of both arms and L = M^T, M the mean of both rotations: then the work in
-/// the step is exact, and the moment that acts on the body in space, M^-T L sum a x f, is the sum of a x f.
+/// Forces f in space at the arms a from a body's centre act on w, the rotation since the start of the step, as
+/// L sum a x f. At a pose, L = H^T R^T with H of cayley_spin(): the force is then the derivative of the work by w.
+/// Between the poses at both ends of a step, a is the mean of both arms and L = M^T, M the mean of both rotations: then
+/// the work in the step is exact, and the moment that acts on the body in space, M^-T L sum a x f, is the sum of a x f.
 class BodySight {
  public:
   /// `turn`: R - I of the pose; `step`: its w; `to`: the derivative of that w by the unknown.

@@ -42,14 +42,10 @@ std::array<T, 3> cayley_spin_rate(const std::array<T, 3>& w, const std::array<T,
 }
 
 /// Returns the force that does on w' the work of a moment in the body's axes on the spin: the transpose of
-/// cayley_spin().
+/// cayley_spin(), in which w changes its sign.
 template <class T>
 std::array<T, 3> cayley_force(const std::array<T, 3>& w, const std::array<T, 3>& moment) {
-  const std::array<T, 3> across = cross(w, moment);
-  const T factor = T(1.0) / (T(1.0) + dot(w, w) * 0.25);
-  std::array<T, 3> result;
-  for (std::size_t i = 0; i < 3; ++i) result[i] = factor * (moment[i] + 0.5 * across[i]);
-  return result;
+  return cayley_spin(scaled(-1, w), moment);
 }
 
 /// Returns the moment for a force, the inverse of cayley_force(): f - w x f/2 + w (w . f)/4.

@@ -70,6 +70,11 @@ RigidBody::RigidBody(const RigidBodyOptions& options, int dimension, bool axisym
     length_ = std::sqrt(trace / (2 * options.mass));
 }
 
+std::size_t RigidBody::axes() const {
+  return static_cast<std::size_t>(
+      std::count_if(free_.begin(), free_.end(), [](std::size_t i) { return i >= turning; }));
+}
+
 Turn RigidBody::turn_at_start(const double* u) {
   const Triple q = triple(u + attitude + 1);
   const double q0 = 1 + u[attitude];
@@ -93,18 +98,13 @@ void RigidBody::add_inertia(double factor, const double* x, double* y) const {
 
 void RigidBody::solve_inertia(const double* y, double* x) const {
   std::fill_n(x, numbers, 0.0);
-  std::size_t axes = 0;
-  for (const std::size_t i : free_) {
-    if (i < turning)
-      x[i] = y[i] / mass();
-    else
-      ++axes;
-  }
+  for (const std::size_t i : free_)
+    if (i < turning) x[i] = y[i] / mass();
   const double square = length_ * length_;
-  if (axes == 1) {
+  if (axes() == 1) {
     const std::size_t k = free_.back() - turning;
     x[turning + k] = y[turning + k] * square / options_.inertia[k][k];
-  } else if (axes == 3) {
+  } else if (axes() == 3) {
     const Small<double, 3> solution = inverse(options_.inertia, determinant(options_.inertia));
     const Triple acceleration = times(solution, triple(y + turning));
     for (std::size_t k = 0; k < 3; ++k) x[turning + k] = square * acceleration[k];

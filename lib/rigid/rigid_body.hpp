@@ -9,9 +9,9 @@
 
 namespace ixos {
 
-/// What a rigid body is. Places and axes are those of the reference configuration, in which its axes are those of
-/// space. In two dimensions third components are 0, and the body turns about z. A body of an axisymmetric model moves
-/// along y; its mass is that of the whole body.
+/// Mass, place and freedom of a rigid body. Places and axes are those of the reference configuration, in which its axes
+/// are those of space. In two dimensions third components are 0, and the body turns about z. A body of an axisymmetric
+/// model moves along y; its mass is that of the whole body.
 struct RigidBodyOptions {
   std::string name{};
   double mass = 0;                 ///< [E0 T0^2 L0^(D-2)], 0 for a body in equilibrium
@@ -46,6 +46,8 @@ class RigidBody {
   const std::array<double, 3>& centre() const { return options_.centre; }
   double length() const { return length_; }
   bool turns() const { return !free_.empty() && free_.back() >= turning; }
+  /// Returns about how many axes it turns: 0, 1 or 3.
+  std::size_t axes() const;
   /// Returns the directions of its unknowns, each a position among its numbers: 0 to 2 translations, 3 to 5 rotations
   /// about the axes.
   const std::vector<std::size_t>& free() const { return free_; }

@@ -54,11 +54,16 @@ std::string dissipation_column(const std::string& source) {
 }
 
 /// Returns the list that a source of dissipation belongs to.
-std::string list_of(const std::string& source) {
+std::string list_of(const Model& model, const std::string& source) {
   for (const auto& [kind, list] : {std::pair<std::string, std::string>("friction of ", "Interactions/"),
                                    {"damage of ", "Interactions/"},
-                                   {"dashpots of ", "Grips/"}})
-    if (source.rfind(kind, 0) == 0) return list + source.substr(kind.size());
+                                   {"dashpots of ", "Grips/"}}) {
+    if (source.rfind(kind, 0) != 0) continue;
+    const std::string name = source.substr(kind.size());
+    const bool is_grip =
+        std::any_of(model.grips().begin(), model.grips().end(), [&](const Grip& grip) { return grip.name == name; });
+    return (list == "Grips/" && !is_grip ? "Rigid Bodies/" : list) + name;
+  }
   return "Materials";
 }
 
@@ -103,7 +108,8 @@ HistoryColumns history_columns(const Simulation& simulation) {
       columns.add(path, "friction_force_" + name + "_", axes);
       for (const char* stem : {"mean_slip_", "sliding_measure_", "sticking_measure_"}) columns.add(path, stem + name);
     }
-  for (const std::string& source : model.dissipation_names()) columns.add(list_of(source), dissipation_column(source));
+  for (const std::string& source : model.dissipation_names())
+    columns.add(list_of(model, source), dissipation_column(source));
   for (const std::string& field : simulation.output().norms) columns.add("Output/Norms", norm_column(field));
   if (simulation.output().strains)
     for (const char* column : strain_columns) columns.add("Output/Strains", column);

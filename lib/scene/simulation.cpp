@@ -40,6 +40,7 @@
 #include "scene/read/newton_options.hpp"
 #include "scene/read/obstacle_files.hpp"
 #include "scene/read/rigid_bodies.hpp"
+#include "scene/read/rigid_body_loads.hpp"
 #include "scene/read/scene_mesh.hpp"
 #include "scene/read/scene_units.hpp"
 #include "solve/choice/linear_solver_defaults.hpp"

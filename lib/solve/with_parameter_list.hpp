@@ -5,7 +5,8 @@
 
 namespace ixos {
 
-/// A Thyra factory of the interface `Base` that keeps its list; getValidParameters() defines its valid entries.
+/// A Thyra factory of the interface `Base` that keeps its list; getValidParameters() defines its valid entries. A
+/// factory that leaves it null is configured at construction, and reads nothing of the list.
 template <class Base>
 class WithParameterList : public Base {
   using List = Teuchos::RCP<Teuchos::ParameterList>;
@@ -13,12 +14,13 @@ class WithParameterList : public Base {
  public:
   /// Throws Teuchos' exceptions if the list is not valid.
   void setParameterList(const List& list) override {
-    list->validateParametersAndSetDefaults(*this->getValidParameters());
+    if (const auto valid = getValidParameters(); nonnull(valid)) list->validateParametersAndSetDefaults(*valid);
     list_ = list;
   }
   List getNonconstParameterList() override { return list_; }
   List unsetParameterList() override { return std::exchange(list_, Teuchos::null); }
   Teuchos::RCP<const Teuchos::ParameterList> getParameterList() const override { return list_; }
+  Teuchos::RCP<const Teuchos::ParameterList> getValidParameters() const override { return Teuchos::null; }
 
  protected:
   /// Returns the list, or the defaults if none was set.

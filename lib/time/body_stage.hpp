@@ -12,11 +12,10 @@ namespace ixos {
 
 /// The balance of each body's numbers: its inertia, as the stage's rows make it, and the forces on it. Translations are
 /// as all displacements. A rotation w since the step's start, see RigidBody, obeys
-/// - in schemes that balance momentum over the step (Closing::Collocate), J (s - s_0)/dt + (w/dt) x p, where the spins
-/// s
-///   come from the row of velocities, and p is the mean over both ends of (I + Q)/2 and its transpose times J s: it is
-///   the balance of the angular momentum in space, seen from the body. With w/dt = (s_0 + s)/2 the second part does no
-///   work (Simo and Wong 1991), so that energy and momentum are those of the forces;
+/// - in schemes that balance momentum over the step (Closing::Collocate), J (s - s_0)/dt + (w/dt) x p, where the row of
+///   velocities gives the spin s, and p is the mean over both ends of (I + Q)/2 and its transpose times J s: it is the
+///   balance of the angular momentum in space, seen from the body. With w/dt = (s_0 + s)/2 the second part does no work
+///   (Simo and Wong 1991), so that energy and momentum are those of the forces;
 /// - in all others, the equation of motion by w, w' and w'' from the rows, J w'' + N: each keeps its order (the local
 ///   chart of Munthe-Kaas 1999).
 /// Everything here is alike on all ranks.
@@ -33,8 +32,8 @@ class BodyStage {
   void arm(const Table& table, std::size_t stage, const std::vector<KnownState>& known, double dt);
   /// Adds the inertia at a displacement to `forces`, by number; u and the inertia's bracket are local arrays.
   void add_inertia(const double* u, const double* bracket, double* forces) const;
-  /// Adds to `forces`, by number, what a moment, which is among the loads on w, does less on w than on the angle 2
-  /// atan(|w|/2): w' turns the body by 1/(1 + |w|^2/4) only. A moment acts about one axis. Nothing in schemes that
+  /// Adds to `forces`, by number, what a moment, which is among the loads on w, does less on w than on the angle
+  /// 2 atan(|w|/2): w' turns the body by 1/(1 + |w|^2/4) only. A moment acts about one axis. Nothing in schemes that
   /// balance momentum. `load`: a local array.
   void add_moments(const double* u, const double* load, double* forces) const;
   /// Adds its derivatives, and returns its potential.

@@ -47,12 +47,9 @@ bool bodies_are_finite(const Model& model, double time) {
 }
 
 void carry_nodes(const Model& model, double* u, double* v) {
-  for (const CarriedNodes& nodes : model.carried_nodes()) {
-    nodes.place(u);
-    if (model.mass() != nullptr) nodes.move(u, v);
-  }
-  if (model.carried_nodes().empty()) return;
-  model.space().interpolate_tied(u);
+  model.carry(u);
+  if (model.carried_nodes().empty() || model.mass() == nullptr) return;
+  for (const CarriedNodes& nodes : model.carried_nodes()) nodes.move(u, v);
   model.space().interpolate_tied(v);
 }
 

@@ -48,18 +48,13 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
   const std::vector<double>& last = states_[stage].u;
   keep_attitudes(model_, last, guess);
   drive_bodies(model_, problem.time(), guess.data(), nullptr, nullptr);
+  std::vector<double> driven;  // obstacles are where the guess meets them
   if (!model_.driven_globals().empty()) {
-    // Obstacles are where the guess meets them.
-    std::vector<double> base(last);
-    drive_bodies(model_, problem.time(), base.data(), nullptr, nullptr);
-    if (predictor != Predictor::LastDisplacement) problem.clip(base, guess);
-  } else if (predictor != Predictor::LastDisplacement) {
-    problem.clip(last, guess);
+    driven = last;
+    drive_bodies(model_, problem.time(), driven.data(), nullptr, nullptr);
   }
-  if (!model_.carried_nodes().empty()) {
-    model_.carry(guess.data());
-    model_.space().interpolate_tied(guess.data());
-  }
+  if (predictor != Predictor::LastDisplacement) problem.clip(driven.empty() ? last : driven, guess);
+  model_.carry(guess.data());
   // Extrapolation would let the rounding across planes grow.
   model_.constraints().planes().project(guess.data(), model_.mesh().nodes());
 }
@@ -109,10 +104,7 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
   }
   if (result.converged) {
     model_.space().import(*unknown_, u.data());
-    if (!model_.carried_nodes().empty()) {
-      model_.carry(u.data());
-      model_.space().interpolate_tied(u.data());
-    }
+    model_.carry(u.data());
   }
   return result;
 }

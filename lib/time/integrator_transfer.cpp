@@ -27,7 +27,7 @@ void transfer_bodies(Record& record, const Model& model) {
   const char* const section_name = "rigid bodies";
   const auto refuse = [] {
     throw InputError(
-        "the state has other rigid bodies, or in another order: a run goes on with the same ones, as free and as "
+        "the state has other rigid bodies, or in another order: a run continues with the same ones, as free and as "
         "prescribed as they were");
   };
   if (record.loading() && record.has_section(section_name) == bodies.empty()) refuse();

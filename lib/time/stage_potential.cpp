@@ -15,7 +15,6 @@ Potential StageProblem::potential(const Vector& x) {
   std::copy(u_.begin() + model_.space().first_global(), u_.end(), u.begin() + model_.space().first_global());
   model_.space().import(x, u.data());
   model_.carry(u.data());
-  model_.space().interpolate_tied(u.data());
   BalancePoint at = point();
   for (Segment* segment : {&at.elastic, &at.interaction}) {
     segment->from = start_->u.data();

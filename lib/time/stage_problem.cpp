@@ -171,7 +171,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   rounding_ = rounding_force(known[0], coefficient);
   diagonal_ = coefficient * model_.scales().mass + model_.scales().elastic;
   if (bodies_) {
-    // What is no unknown stays as it is throughout the step.
+    // Held directions and attitudes stay as they are throughout the step.
     const auto first = static_cast<std::ptrdiff_t>(model_.space().first_global());
     std::copy(start_->u.begin() + first, start_->u.end(), u_.begin() + first);
     drive_bodies(model_, stage_time_, u_.data(), nullptr, nullptr);
@@ -255,10 +255,7 @@ void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<dou
 
 void StageProblem::move_to(const Vector& x) {
   model_.space().import(x, u_.data());
-  if (grips_) {
-    model_.carry(u_.data());
-    model_.space().interpolate_tied(u_.data());
-  }
+  model_.carry(u_.data());
   for (const int dof : model_.constraints().entrusted()) {
     const auto i = static_cast<std::size_t>(dof);
     prescribed_[i] = u_[i];
@@ -330,7 +327,7 @@ void StageProblem::record_forces(State& state) const {
     state.load_on_globals.assign(load_.begin() + model_.space().first_global(), load_.end());
   }
   if (!model_.driven_globals().empty()) {
-    // What is left over of the balance drives them.
+    // The forces that drive them are what the balance lacks.
     const auto first = static_cast<std::size_t>(model_.space().first_global());
     if (load_.empty()) state.load_on_globals.assign(globals_.size(), 0.0);
     for (const DrivenGlobal& driven : model_.driven_globals())

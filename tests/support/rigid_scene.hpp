@@ -5,7 +5,7 @@
 
 namespace ixos::test {
 
-/// What differs between the scenes.
+/// The options in which the scenes differ.
 struct RigidScene {
   int dimension = 2;
   std::string scheme = "Energy-Momentum";

@@ -54,7 +54,7 @@ TEST(RigidBodiesTest, TheTangentIsTheDerivativeOfTheResidual) {
         if (i >= first_of(s) && (i - first_of(s)) % RigidBody::numbers >= RigidBody::attitude) d[i] = 0;
         u[i] += 0.01 * d[i];
       }
-      // What a body carries is no unknown of its own.
+      // The unknowns of carried nodes are those of their body.
       for (const int dof : model.constraints().entrusted()) d[static_cast<std::size_t>(dof)] = 0;
       model.space().take(u.data(), x);
       model.space().take(d.data(), direction);

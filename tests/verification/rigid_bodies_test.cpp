@@ -144,7 +144,7 @@ TEST(RigidBodiesTest, WhatDrivesABodyWorksToSecondOrderInNewmark) {
   EXPECT_GT(error(0.02) / error(0.01), 3);
 }
 
-/// Of 1e-6 and 1e6 of the block's mass, 32.
+/// The block has the mass 32, the bodies 1e-6 and 1e6 of it.
 TEST(RigidBodiesTest, LightAndHeavyBodiesKeepTheEnergy) {
   for (const double ratio : {1e-6, 1e6}) {
     RigidScene options;

@@ -1,4 +1,4 @@
-// What the cells of a tree ask of their neighbours: nodes on edges, and levels beside cells that are never split.
+// Neighbours of the cells of a tree: they need nodes on shared edges, and levels beside cells that are never split.
 #include <algorithm>
 #include <functional>
 #include <limits>

@@ -91,17 +91,16 @@ void check_pairs(const std::vector<SceneInteraction>& interactions, const Table&
 
 /// Refuses what rigid bodies cannot have.
 void check_bodies(const SceneNode& scene, const std::vector<SceneInteraction>& interactions, const Table& table) {
+  const std::vector<SceneNode> grips = scene.sublist("Grips").sublists();
   for (const SceneNode& body : scene.sublist("Rigid Bodies").sublists()) {
     const bool touches = std::any_of(interactions.begin(), interactions.end(),
                                      [&](const SceneInteraction& own) { return own.rigid_body == body.name(); });
-    const std::vector<SceneNode> grips = scene.sublist("Grips").sublists();
     const bool grips_something = std::any_of(
         grips.begin(), grips.end(), [&](const SceneNode& grip) { return grip.text("Rigid Body") == body.name(); });
     if (is_static(table) && !touches && !grips_something && body.numbers("Stiffness").empty())
       throw InputError(body.path() +
                        ": nothing holds the body, which no interaction and no grip names as its Rigid Body; in "
-                       "equilibrium it has no "
-                       "place of its own");
+                       "equilibrium it has no place of its own");
   }
 }
 

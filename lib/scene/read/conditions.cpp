@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "model/conditions.hpp"
 #include "scene/read/grips.hpp"
-#include "scene/read/rigid_bodies.hpp"
+#include "scene/read/rigid_body_settings.hpp"
 
 namespace ixos {
 namespace {

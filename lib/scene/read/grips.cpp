@@ -18,8 +18,7 @@ Options<GripOptions> make_options() {
       .add("Node Set", &GripOptions::node_set, "Node set that the grip holds.")
       .add("Rigid Body", &GripOptions::rigid_body,
            "Name of a list of Rigid Bodies, whose body the nodes follow; their forces act on it. Its Centre is the "
-           "Point "
-           "of the moment. Empty: the entries of this list move the nodes.");
+           "Point of the moment. Empty: the entries of this list move the nodes.");
   add_motion_options(all, "rigid body", "The moment of the grip refers to it. ");
   all.add("Stiffness", &GripOptions::stiffness,
           "Stiffness of all springs together, by direction [E0 for a grip in 2D, E0 L0 for a grip in 3D]. The "

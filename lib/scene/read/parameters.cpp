@@ -16,7 +16,7 @@
 #include "scene/read/mesh_refinement.hpp"
 #include "scene/read/mesh_sets.hpp"
 #include "scene/read/newton_options.hpp"
-#include "scene/read/rigid_bodies.hpp"
+#include "scene/read/rigid_body_settings.hpp"
 #include "scene/read/scene_mesh.hpp"
 #include "scene/read/stages.hpp"
 #include "scene/read/stop.hpp"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "solve/thyra.hpp"
+#include "solve/with_parameter_list.hpp"
 
 namespace ixos {
 
@@ -11,11 +12,10 @@ namespace ixos {
 /// border, kept until the next tangent, and a small dense system, whose equations are scaled. Everything that the
 /// nodal solver keeps (factors, preconditioners, their history) is its own. Throws std::runtime_error if the small
 /// system is singular.
-class BorderedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double> {
+class BorderedSolverFactory final : public WithParameterList<Thyra::LinearOpWithSolveFactoryBase<double>> {
   using Op = Thyra::LinearOpWithSolveBase<double>;
   using Source = Thyra::LinearOpSourceBase<double>;
   using Nodal = Thyra::LinearOpWithSolveFactoryBase<double>;
-  using List = Teuchos::RCP<Teuchos::ParameterList>;
 
  public:
   explicit BorderedSolverFactory(Teuchos::RCP<const Nodal> nodal) : nodal_(std::move(nodal)) {}
@@ -27,16 +27,8 @@ class BorderedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<d
                       Teuchos::RCP<const Thyra::PreconditionerBase<double>>* preconditioner,
                       Teuchos::RCP<const Source>* approximate, Thyra::ESupportSolveUse* support) const override;
 
-  // The nodal factory is configured already.
-  void setParameterList(const List& list) override { list_ = list; }
-  List getNonconstParameterList() override { return list_; }
-  List unsetParameterList() override { return std::exchange(list_, Teuchos::null); }
-  Teuchos::RCP<const Teuchos::ParameterList> getParameterList() const override { return list_; }
-  Teuchos::RCP<const Teuchos::ParameterList> getValidParameters() const override { return Teuchos::null; }
-
  private:
   Teuchos::RCP<const Nodal> nodal_;
-  List list_;
 };
 
 }  // namespace ixos

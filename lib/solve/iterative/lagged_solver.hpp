@@ -6,6 +6,7 @@
 
 #include "solve/kept_state.hpp"
 #include "solve/linear_statistics.hpp"
+#include "solve/with_parameter_list.hpp"
 
 namespace ixos {
 
@@ -33,10 +34,10 @@ struct LaggedOptions {
 /// is kept for the next matrix. If that matrix is not positive definite either, a new factorisation solves with it by
 /// iterative refinement: the state of a body that buckles has such a tangent. The C library's random numbers seed
 /// Tpetra's, and hence the smoothers' estimates of eigenvalues; they restart with each preconditioner.
-class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double>, public StateKeeper {
+class LaggedSolverFactory final : public WithParameterList<Thyra::LinearOpWithSolveFactoryBase<double>>,
+                                  public StateKeeper {
   using Op = Thyra::LinearOpWithSolveBase<double>;
   using Source = Thyra::LinearOpSourceBase<double>;
-  using List = Teuchos::RCP<Teuchos::ParameterList>;
 
  public:
   LaggedSolverFactory(Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> krylov,
@@ -56,19 +57,11 @@ class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<dou
                       Teuchos::RCP<const Thyra::PreconditionerBase<double>>* preconditioner,
                       Teuchos::RCP<const Source>* approximate, Thyra::ESupportSolveUse* support) const override;
 
-  // Everything is configured at construction.
-  void setParameterList(const List& list) override { list_ = list; }
-  List getNonconstParameterList() override { return list_; }
-  List unsetParameterList() override { return std::exchange(list_, Teuchos::null); }
-  Teuchos::RCP<const Teuchos::ParameterList> getParameterList() const override { return list_; }
-  Teuchos::RCP<const Teuchos::ParameterList> getValidParameters() const override { return Teuchos::null; }
-
  private:
   Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> krylov_;
   Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner_;
   LaggedOptions options_;
   std::shared_ptr<LinearStatistics> statistics_;
-  List list_;
 };
 
 }  // namespace ixos

@@ -35,13 +35,17 @@ void Constraints::check(int dof, const std::vector<MotionShare>& shares) const {
     throw InputError("two conditions prescribe different motions for one degree of freedom");
 }
 
+std::vector<MotionShare> Constraints::shares(int dof) const {
+  std::vector<MotionShare> all;
+  if (!holds(dof)) return all;
+  for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k)
+    if (entries_[k].motion != entrusted_motion) all.push_back({entries_[k].factor, motions_[entries_[k].motion]});
+  return all;
+}
+
 bool Constraints::holds_by(int dof, const std::vector<MotionShare>& shares) const {
   if (!holds(dof)) return false;
-  std::vector<MotionShare> known;
-  for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k) {
-    if (entries_[k].motion == entrusted_motion) return false;
-    known.push_back({entries_[k].factor, motions_[entries_[k].motion]});
-  }
+  const std::vector<MotionShare> known = this->shares(dof);  // none if it is entrusted
   const std::vector<MotionShare> held{{0.0, nullptr}};
   const std::vector<MotionShare>& wanted = shares.empty() ? held : shares;
   return std::equal(known.begin(), known.end(), wanted.begin(), wanted.end(), are_same);

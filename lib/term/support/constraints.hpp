@@ -37,6 +37,8 @@ class Constraints {
 
   bool empty() const { return entries_.empty() && planes_.empty(); }
   bool holds(int dof) const { return static_cast<std::size_t>(dof) < index_.size() && index_[dof_index(dof)] >= 0; }
+  /// Returns the sum of motions that moves a degree of freedom; none if no condition does.
+  std::vector<MotionShare> shares(int dof) const;
   /// Returns whether a degree of freedom is held by that sum of motions; without any, at zero.
   bool holds_by(int dof, const std::vector<MotionShare>& shares) const;
   /// Returns whether a node stays in a plane of that normal: by its planes and the components that are held at zero.

@@ -25,7 +25,7 @@ struct DrivenEnds {
   int first_global = std::numeric_limits<int>::max();
 };
 
-/// Returns whether this rank counts a degree of freedom that it has ends of; `owned`: the number of its own.
+/// Returns whether this rank counts a degree of freedom that it has ends of; `owned`: how many it owns.
 inline bool counts(const DrivenEnds& ends, std::size_t dof, std::size_t owned) {
   return dof < owned || static_cast<int>(dof) >= ends.first_global;
 }

@@ -3,17 +3,6 @@
 #include "rigid/cayley.hpp"
 
 namespace ixos {
-namespace {
-
-using Triple = std::array<double, 3>;
-
-Triple unit(std::size_t k) {
-  Triple e{};
-  e[k] = 1;
-  return e;
-}
-
-}  // namespace
 
 SurfaceSight CarriedBody::at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen) const {
   SurfaceSight sight{BodySight::at(pose.turn, pose.step, point.to), point.to};
@@ -106,7 +95,7 @@ void CarriedBody::add_border(const SurfaceSight& sight, const std::vector<double
     for (const std::size_t i : free) {
       part.columns[i] = {};
       if (i < RigidBody::turning) {
-        part.motions[i] = part.moments[i] = nodes[n].derivative ? Triple{} : unit(i);
+        part.motions[i] = part.moments[i] = nodes[n].derivative ? Triple{} : basis_vector(i);
         continue;
       }
       const std::size_t k = i - RigidBody::turning;
@@ -137,8 +126,9 @@ void CarriedBody::add_border(const SurfaceSight& sight, const std::vector<double
     }
   if (!body_.turns()) return;
   for (const std::size_t k : free) {
-    const Triple change = k < RigidBody::turning ? scaled(-sight.share, sight.body.to_rotation(cross(unit(k), force)))
-                                                 : sight.body.to_rotation_by(k - RigidBody::turning, moment);
+    const Triple change = k < RigidBody::turning
+                              ? scaled(-sight.share, sight.body.to_rotation(cross(basis_vector(k), force)))
+                              : sight.body.to_rotation_by(k - RigidBody::turning, moment);
     for (std::size_t i = 0; i < 3; ++i) block_[RigidBody::turning + i][k] -= change[i];
   }
 }

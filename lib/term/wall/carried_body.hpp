@@ -57,7 +57,7 @@ class CarriedBody {
   const RigidBody& body_;
   std::vector<std::array<Triple, freedoms>> columns_, rows_;  ///< by node of the frame, and by T and w
   Small<double, freedoms> block_{};
-  /// Of a node in one part: how it moves with the body's freedoms, how forces on it act on them, and its column.
+  /// How a node moves with the body's freedoms in one part, how forces on it act on them, and its column.
   struct Part {
     std::array<Triple, freedoms> motions, moments, columns;
   };
