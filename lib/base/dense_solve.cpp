@@ -1,39 +1,56 @@
 #include "base/dense_solve.hpp"
 
-#include <Teuchos_SerialDenseMatrix.hpp>
-#include <Teuchos_SerialDenseSolver.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace ixos {
 
-std::vector<double> dense_solve(const std::vector<double>& a, const std::vector<double>& b) {
-  using Dense = Teuchos::SerialDenseMatrix<int, double>;
+std::vector<double> dense_solve(std::vector<double> a, std::vector<double> b) {
   const std::size_t size = b.size();
-  const auto n = static_cast<int>(size);
-  // The solver's own scaling would not reach its estimate of the condition.
-  std::vector<double> rows(size, 0.0), columns(size, 0.0);
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j) rows[i] = std::max(rows[i], std::abs(a[i * size + j]));
-  if (std::any_of(rows.begin(), rows.end(), [](double row) { return !(row > 0); })) return {};
-  for (std::size_t j = 0; j < size; ++j)
-    for (std::size_t i = 0; i < size; ++i) columns[j] = std::max(columns[j], std::abs(a[i * size + j]) / rows[i]);
-  if (std::any_of(columns.begin(), columns.end(), [](double column) { return !(column > 0); })) return {};
-  Dense matrix(n, n), rhs(n, 1), x(n, 1);
+  std::vector<double> scales(size, 0.0);  // of unknowns
   for (std::size_t i = 0; i < size; ++i) {
-    rhs(static_cast<int>(i), 0) = b[i] / rows[i];
-    for (std::size_t j = 0; j < size; ++j)
-      matrix(static_cast<int>(i), static_cast<int>(j)) = a[i * size + j] / (rows[i] * columns[j]);
+    double* const row = &a[i * size];
+    double largest = 0;
+    for (std::size_t j = 0; j < size; ++j) largest = std::max(largest, std::abs(row[j]));
+    if (!(largest > 0) || !std::isfinite(largest)) return {};
+    b[i] /= largest;
+    for (std::size_t j = 0; j < size; ++j) {
+      row[j] /= largest;
+      scales[j] = std::max(scales[j], std::abs(row[j]));
+    }
   }
-  Teuchos::SerialDenseSolver<int, double> solver;
-  solver.setMatrix(Teuchos::rcpFromRef(matrix));
-  solver.setVectors(Teuchos::rcpFromRef(x), Teuchos::rcpFromRef(rhs));
-  double condition = 0;  // its reciprocal
-  if (solver.factor() != 0 || solver.reciprocalConditionEstimate(condition) < 0 || !(condition > 1e-14)) return {};
-  if (solver.solve() != 0) return {};
-  std::vector<double> result(x.values(), x.values() + n);
-  for (std::size_t j = 0; j < size; ++j) result[j] /= columns[j];
+  if (std::any_of(scales.begin(), scales.end(), [](double scale) { return !(scale > 0); })) return {};
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) a[i * size + j] /= scales[j];
+  std::vector<std::size_t> unknowns(size);
+  std::iota(unknowns.begin(), unknowns.end(), 0);
+  for (std::size_t k = 0; k < size; ++k) {
+    std::size_t row = k, column = k;
+    for (std::size_t i = k; i < size; ++i)
+      for (std::size_t j = k; j < size; ++j)
+        if (std::abs(a[i * size + j]) > std::abs(a[row * size + column])) {
+          row = i;
+          column = j;
+        }
+    for (std::size_t j = 0; j < size; ++j) std::swap(a[k * size + j], a[row * size + j]);
+    std::swap(b[k], b[row]);
+    for (std::size_t i = 0; i < size; ++i) std::swap(a[i * size + k], a[i * size + column]);
+    std::swap(unknowns[k], unknowns[column]);
+    if (!(std::abs(a[k * size + k]) > 1e-14 * std::abs(a[0]))) return {};
+    for (std::size_t i = k + 1; i < size; ++i) {
+      const double factor = a[i * size + k] / a[k * size + k];
+      for (std::size_t j = k; j < size; ++j) a[i * size + j] -= factor * a[k * size + j];
+      b[i] -= factor * b[k];
+    }
+  }
+  std::vector<double> result(size);
+  for (std::size_t k = size; k-- > 0;) {
+    for (std::size_t j = k + 1; j < size; ++j) b[k] -= a[k * size + j] * b[j];
+    b[k] /= a[k * size + k];
+    result[unknowns[k]] = b[k] / scales[unknowns[k]];
+  }
   return result;
 }
 

@@ -59,8 +59,14 @@ DofSpace::~DofSpace() = default;
 void DofSpace::import(const Vector& owned, double* local) const {
   if (!has_globals() || owned.getGlobalLength() == static_cast<Tpetra::global_size_t>(global_))
     return import_nodes(owned, local);
-  import_nodes(*owned.offsetView(owned_map_, 0), local);
   std::vector<double> values(globals_.free.size());
+  if (buffer_.is_null()) {  // without views, which cost more than the copy
+    const auto view = owned.getLocalViewHost(Tpetra::Access::ReadOnly);
+    std::copy_n(view.data(), owned_, local);
+    interpolate_tied(local);
+  } else {
+    import_nodes(*owned.offsetView(owned_map_, 0), local);
+  }
   if (comm_->getRank() == 0) {
     const auto view = owned.getLocalViewHost(Tpetra::Access::ReadOnly);
     std::copy_n(view.data() + owned_, values.size(), values.begin());

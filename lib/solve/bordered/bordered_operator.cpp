@@ -14,35 +14,39 @@ namespace ixos {
 BorderedOperator::BorderedOperator(Teuchos::RCP<Operator> nodal, const DofSpace& space)
     : nodal_(std::move(nodal)),
       space_(space),
-      has_column_(space.globals().free.size()),
-      rows_(has_column_.size()),
-      block_(has_column_.size() * has_column_.size()),
-      x_(static_cast<std::size_t>(space.local())) {
-  for (std::size_t k = 0; k < size(); ++k) columns_.push_back(Teuchos::rcp(new Vector(space.owned_map())));
-}
+      columns_(Teuchos::rcp(new MultiVector(space.owned_map(), size() + 1))),
+      has_column_(size()),
+      rows_(size()),
+      block_(size() * size()),
+      x_(static_cast<std::size_t>(space.local())) {}
 
 void BorderedOperator::set_border(Border& border) {
   const auto owned = static_cast<std::size_t>(space_.owned());
-  const auto nodes = static_cast<std::size_t>(space_.first_global());
+  const auto nodes = static_cast<std::ptrdiff_t>(space_.first_global());
   std::vector<double> sums(border.block());
   sums.resize(sums.size() + size());
+  const auto view = columns_->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (std::size_t k = 0; k < size(); ++k) {
-    const std::vector<double>& column = border.columns()[k];
-    const auto view = columns_[k]->getLocalViewHost(Tpetra::Access::OverwriteAll);
-    std::copy_n(column.begin(), owned, view.data());
+    const std::vector<double>&column = border.columns()[k], &row = border.rows()[k];
+    if (owned > 0) std::copy_n(column.begin(), owned, &view(0, k));
     sums[block_.size() + k] = dot(column, column, owned);
-    rows_[k].assign(border.rows()[k].begin(), border.rows()[k].begin() + static_cast<std::ptrdiff_t>(nodes));
+    rows_[k].assign(row.begin(), row.begin() + nodes);
   }
   space_.sum(sums.data(), static_cast<int>(sums.size()));
   std::copy_n(sums.begin(), block_.size(), block_.begin());
   for (std::size_t k = 0; k < size(); ++k) has_column_[k] = sums[block_.size() + k] != 0;
 }
 
-std::vector<double> BorderedOperator::rows_times(const Vector& x) const {
-  space_.import(x, x_.data());
-  std::vector<double> result(size());
-  for (std::size_t k = 0; k < size(); ++k) result[k] = dot(rows_[k], x_, rows_[k].size());
-  space_.sum(result.data(), static_cast<int>(size()));
+std::vector<double> BorderedOperator::rows_times(const MultiVector& x) const {
+  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const std::size_t count = view.extent(1);
+  std::vector<double> result(size() * count);
+  for (std::size_t column = 0; column < count; ++column) {
+    if (space_.owned() > 0) std::copy_n(&view(0, column), space_.owned(), x_.begin());
+    space_.update_ghosts(x_.data());
+    for (std::size_t k = 0; k < size(); ++k) result[k * count + column] = dot(rows_[k], x_, rows_[k].size());
+  }
+  space_.sum(result.data(), static_cast<int>(result.size()));
   return result;
 }
 
@@ -63,27 +67,19 @@ void BorderedOperator::set_globals(const std::vector<double>& values, Vector& x)
   std::copy_n(values.begin(), size(), view.data() + space_.owned());
 }
 
-Teuchos::RCP<Vector> BorderedOperator::nodes_of(Vector& x) const {
-  return x.offsetViewNonConst(space_.owned_map(), 0)->getVectorNonConst(0);
-}
-
-Teuchos::RCP<const Vector> BorderedOperator::nodes_of(const Vector& x) const {
-  return x.offsetView(space_.owned_map(), 0)->getVector(0);
-}
-
 void BorderedOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode, double alpha,
                              double beta) const {
   if (mode != Teuchos::NO_TRANS) throw std::logic_error("a bordered tangent has no transpose");
   for (std::size_t column = 0; column < x.getNumVectors(); ++column) {
     const Teuchos::RCP<const Vector> from = x.getVector(column);
     const Teuchos::RCP<Vector> to = y.getVectorNonConst(column);
-    const Teuchos::RCP<const Vector> nodes = nodes_of(*from);
+    const auto nodes = from->offsetView(space_.owned_map(), 0);
     const std::vector<double> globals = globals_of(*from), before = globals_of(*to);
-    std::vector<double> result = rows_times(*nodes);
-    const Teuchos::RCP<Vector> product = nodes_of(*to);
+    std::vector<double> result = rows_times(*from);
+    const auto product = to->offsetViewNonConst(space_.owned_map(), 0);
     nodal_->apply(*nodes, *product, mode, alpha, beta);
     for (std::size_t k = 0; k < size(); ++k) {
-      product->update(alpha * globals[k], *columns_[k], 1.0);
+      product->update(alpha * globals[k], *columns_->getVector(k), 1.0);
       for (std::size_t l = 0; l < size(); ++l) result[k] += block_[k * size() + l] * globals[l];
       result[k] = alpha * result[k] + (beta == 0 ? 0 : beta * before[k]);
     }

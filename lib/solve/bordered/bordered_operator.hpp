@@ -20,18 +20,16 @@ class BorderedOperator final : public Operator {
   /// Takes the border: its columns are valid in owned rows, rows and block are shares of ranks. Collective.
   void set_border(Border& border);
 
-  const Teuchos::RCP<Vector>& column(std::size_t k) const { return columns_[k]; }
+  /// Returns the columns, and one more, which is room for a solver's right-hand side.
+  const Teuchos::RCP<MultiVector>& columns() const { return columns_; }
   /// Returns whether the column has an entry that is not 0. Equal on all ranks.
   bool has_column(std::size_t k) const { return has_column_[k]; }
-  /// Returns rows^T x of a vector of nodes. Collective.
-  std::vector<double> rows_times(const Vector& x) const;
+  /// Returns rows^T x, row by row, of vectors whose first entries are the nodes'. Collective.
+  std::vector<double> rows_times(const MultiVector& x) const;
   const std::vector<double>& block() const { return block_; }  ///< row by row
   /// Return the globals of a vector of the unknown map, on all ranks (collective), and set them there.
   std::vector<double> globals_of(const Vector& x) const;
   void set_globals(const std::vector<double>& values, Vector& x) const;
-  /// Returns the nodal part of such a vector: a view.
-  Teuchos::RCP<Vector> nodes_of(Vector& x) const;
-  Teuchos::RCP<const Vector> nodes_of(const Vector& x) const;
 
   Teuchos::RCP<const Map> getDomainMap() const override { return space_.unknown_map(); }
   Teuchos::RCP<const Map> getRangeMap() const override { return space_.unknown_map(); }
@@ -41,7 +39,7 @@ class BorderedOperator final : public Operator {
  private:
   Teuchos::RCP<Operator> nodal_;
   const DofSpace& space_;
-  std::vector<Teuchos::RCP<Vector>> columns_;
+  Teuchos::RCP<MultiVector> columns_;
   std::vector<bool> has_column_;
   std::vector<std::vector<double>> rows_;  ///< local
   std::vector<double> block_;

@@ -3,18 +3,20 @@
 #include <Thyra_DefaultLinearOpSource.hpp>
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
-#include <Thyra_VectorStdOps.hpp>
+#include <Thyra_MultiVectorStdOps.hpp>
 #include <Tpetra_Vector.hpp>
-#include <optional>
+#include <algorithm>
 #include <stdexcept>
 #include <vector>
 
 #include "base/dense_solve.hpp"
 #include "solve/bordered/bordered_operator.hpp"
+#include "solve/direct/direct_solver.hpp"
 
 namespace ixos {
 namespace {
 
+using Status = Thyra::SolveStatus<double>;
 using Criteria = Teuchos::Ptr<const Thyra::SolveCriteria<double>>;
 
 Teuchos::RCP<const BorderedOperator> bordered(const Thyra::LinearOpSourceBase<double>& source) {
@@ -23,7 +25,9 @@ Teuchos::RCP<const BorderedOperator> bordered(const Thyra::LinearOpSourceBase<do
 
 class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
  public:
-  explicit BorderedSolve(Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> nodal) : nodal_(std::move(nodal)) {}
+  /// `at_once`: the nodal solver solves for all columns at once, at less cost, and does not fail.
+  BorderedSolve(Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> nodal, bool at_once)
+      : nodal_(std::move(nodal)), at_once_(at_once) {}
 
   VectorSpace range() const override { return op_->range(); }
   VectorSpace domain() const override { return op_->domain(); }
@@ -38,8 +42,13 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
       border_ = given;
       space_ = vector_space(border_->nodal()->getRangeMap());
       nodal_source_ = Thyra::defaultLinearOpSource<double>(linear_op(border_->nodal(), space_));
+      solved_ = Teuchos::rcp(new MultiVector(*border_->columns(), Teuchos::Copy));
+      all_ = {wrapped(border_->columns()), wrapped(solved_)};
+      columns_.clear();
+      for (std::size_t k = 0; k <= border_->size(); ++k)
+        columns_.push_back({wrapped(border_->columns()->getVectorNonConst(k)), wrapped(solved_->getVectorNonConst(k))});
     }
-    solved_columns_.clear();
+    columns_are_solved_ = false;
     factory.initializeOp(nodal_source_, nodal_.get(), support);
   }
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> release() { return std::exchange(source_, Teuchos::null); }
@@ -57,59 +66,76 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
     return true;
   }
 
-  /// Sets x = K^-1 b. Returns the solver's status.
-  Thyra::SolveStatus<double> solve_nodal(const Teuchos::RCP<const Vector>& b, const Teuchos::RCP<Vector>& x,
-                                         const Criteria& criteria) const {
-    const auto from = Thyra::createConstVector<double, LocalId, GlobalId, Node>(b, space_);
-    const auto to = Thyra::createVector<double, LocalId, GlobalId, Node>(x, space_);
-    Thyra::assign(to.ptr(), 0.0);
-    return Thyra::solve<double>(*nodal_, Thyra::NOTRANS, *from, to.ptr(), criteria);
+  /// Right-hand sides, and K^-1 times them.
+  struct System {
+    Teuchos::RCP<Thyra::MultiVectorBase<double>> given, solution;
+  };
+  Teuchos::RCP<Thyra::MultiVectorBase<double>> wrapped(const Teuchos::RCP<MultiVector>& x) const {
+    return Thyra::createMultiVector<double, LocalId, GlobalId, Node>(x, space_);
   }
 
-  /// Solves for the columns, and makes the small matrix block - rows^T K^-1 columns. Returns false if a solve fails.
-  bool solve_columns(const Criteria& criteria) const {
-    if (!solved_columns_.empty()) return true;
-    const std::size_t count = border_->size();
-    std::vector<Teuchos::RCP<Vector>> solved(count);
-    small_ = border_->block();
-    for (std::size_t k = 0; k < count; ++k) {
-      if (!border_->has_column(k)) continue;
-      solved[k] = Teuchos::rcp(new Vector(border_->nodal()->getDomainMap()));
-      if (solve_nodal(border_->column(k), solved[k], criteria).solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED)
-        return false;
-      const std::vector<double> product = border_->rows_times(*solved[k]);
-      for (std::size_t i = 0; i < count; ++i) small_[i * count + k] -= product[i];
+  Status solve_nodal(const System& system, const Criteria& criteria) const {
+    Thyra::assign(system.solution.ptr(), 0.0);
+    return Thyra::solve<double>(*nodal_, Thyra::NOTRANS, *system.given, system.solution.ptr(), criteria);
+  }
+
+  /// Solves for the right-hand side, and for the columns if that has not been done. Returns the status of the one, or
+  /// of a solve that fails.
+  Status solve_systems(const Criteria& criteria) const {
+    if (at_once_ && !columns_are_solved_) return solve_nodal(all_, criteria);
+    Status status = solve_nodal(columns_.back(), criteria);
+    for (std::size_t k = 0; k < border_->size() && !columns_are_solved_; ++k) {
+      if (status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED) break;
+      if (!border_->has_column(k))
+        Thyra::assign(columns_[k].solution.ptr(), 0.0);
+      else if (solve_nodal(columns_[k], criteria).solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED)
+        status.solveStatus = Thyra::SOLVE_STATUS_UNCONVERGED;
     }
-    solved_columns_ = std::move(solved);
-    return true;
+    return status;
   }
 
-  Thyra::SolveStatus<double> solveImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& b,
-                                       const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
-                                       const Criteria criteria) const override {
+  Status solveImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& b,
+                   const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x, const Criteria criteria) const override {
     const auto from = Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(b));
     const auto to = Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x));
-    Thyra::SolveStatus<double> status;
-    status.solveStatus = Thyra::SOLVE_STATUS_UNCONVERGED;
+    Status status;
     for (std::size_t column = 0; column < from->getNumVectors(); ++column) {
-      const Teuchos::RCP<const Vector> rhs = from->getVector(column);
-      const Teuchos::RCP<Vector> solution = to->getVectorNonConst(column);
-      const Teuchos::RCP<Vector> nodes = border_->nodes_of(*solution);
-      status = solve_nodal(border_->nodes_of(*rhs), nodes, criteria);
-      if (status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED || !solve_columns(criteria)) {
-        status.solveStatus = Thyra::SOLVE_STATUS_UNCONVERGED;
-        return status;
-      }
-      std::vector<double> globals = border_->globals_of(*rhs);
-      const std::vector<double> known = border_->rows_times(*nodes);
-      for (std::size_t k = 0; k < globals.size(); ++k) globals[k] -= known[k];
-      globals = dense_solve(small_, globals);
-      if (globals.empty())
-        throw std::runtime_error("nothing resists some motion of a rigid body: hold it, or add springs");
-      for (std::size_t k = 0; k < globals.size(); ++k)
-        if (nonnull(solved_columns_[k])) nodes->update(-globals[k], *solved_columns_[k], 1.0);
-      border_->set_globals(globals, *solution);
+      status = solve(*from->getVector(column), *to->getVectorNonConst(column), criteria);
+      if (status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED) break;
     }
+    return status;
+  }
+
+  Status solve(const Vector& b, Vector& x, const Criteria& criteria) const {
+    const std::size_t count = border_->size();
+    const auto nodes = static_cast<std::size_t>(solved_->getLocalLength());
+    if (nodes > 0) {
+      const auto rhs = b.getLocalViewHost(Tpetra::Access::ReadOnly);
+      const auto room = border_->columns()->getLocalViewHost(Tpetra::Access::ReadWrite);
+      std::copy_n(rhs.data(), nodes, &room(0, count));
+    }
+    const Status status = solve_systems(criteria);
+    if (status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED) return status;
+    // The small matrix block - rows^T K^-1 columns, and rows^T K^-1 b.
+    const std::vector<double> products = border_->rows_times(*solved_);
+    small_ = border_->block();
+    std::vector<double> globals = border_->globals_of(b);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < count; ++k) small_[i * count + k] -= products[i * (count + 1) + k];
+      globals[i] -= products[i * (count + 1) + count];
+    }
+    columns_are_solved_ = true;
+    globals = dense_solve(small_, globals);
+    if (globals.size() != count)
+      throw std::runtime_error("nothing resists some motion of a rigid body: hold it, or add springs");
+    if (nodes > 0) {
+      const auto solved = solved_->getLocalViewHost(Tpetra::Access::ReadOnly);
+      const auto result = x.getLocalViewHost(Tpetra::Access::ReadWrite);
+      std::copy_n(&solved(0, count), nodes, result.data());
+      for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t i = 0; i < nodes; ++i) result(i, 0) -= globals[k] * solved(i, k);
+    }
+    border_->set_globals(globals, x);
     return status;
   }
 
@@ -118,8 +144,12 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   Teuchos::RCP<const Thyra::LinearOpBase<double>> op_;
   Teuchos::RCP<const BorderedOperator> border_;
   VectorSpace space_;
-  mutable std::vector<Teuchos::RCP<Vector>> solved_columns_;  ///< null where the column is 0; empty: not solved yet
-  mutable std::vector<double> small_;                         ///< row by row
+  bool at_once_;
+  Teuchos::RCP<MultiVector> solved_;
+  System all_;                   ///< of all columns, and the right-hand side as the last one
+  std::vector<System> columns_;  ///< each of them
+  mutable bool columns_are_solved_ = false;
+  mutable std::vector<double> small_;  ///< row by row
 };
 
 }  // namespace
@@ -127,7 +157,8 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
 bool BorderedSolverFactory::isCompatible(const Source& source) const { return !bordered(source).is_null(); }
 
 Teuchos::RCP<BorderedSolverFactory::Op> BorderedSolverFactory::createOp() const {
-  return Teuchos::rcp(new BorderedSolve(nodal_->createOp()));
+  const bool direct = nonnull(Teuchos::rcp_dynamic_cast<const DirectSolverFactory>(nodal_));
+  return Teuchos::rcp(new BorderedSolve(nodal_->createOp(), direct));
 }
 
 void BorderedSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,

@@ -78,12 +78,20 @@ class Band final : public FirstRankFactorization {
 
   CollectedMatrix& collected() override { return *matrix_; }
   const double* solve_collected(const double* b) override {
-    if (substitutes_) return klu_->solve_collected(b);
-    std::fill(permuted_.begin(), permuted_.end(), 0.0);
-    for (std::size_t i = 0; i < order_.size(); ++i) permuted_[static_cast<std::size_t>(order_[i])] = b[i];
-    ldu_.solve(permuted_.data());
-    for (std::size_t i = 0; i < order_.size(); ++i) solution_[i] = permuted_[static_cast<std::size_t>(order_[i])];
+    solve_collected({b}, {solution_.data()});
     return solution_.data();
+  }
+  void solve_collected(const std::vector<const double*>& b, const std::vector<double*>& x) override {
+    if (substitutes_) return klu_->solve_collected(b, x);
+    const std::size_t stride = ldu_.padded_size();
+    permuted_.assign(b.size() * stride, 0.0);
+    for (std::size_t k = 0; k < b.size(); ++k)
+      for (std::size_t i = 0; i < order_.size(); ++i)
+        permuted_[k * stride + static_cast<std::size_t>(order_[i])] = b[k][i];
+    ldu_.solve(permuted_.data(), b.size());
+    for (std::size_t k = 0; k < b.size(); ++k)
+      for (std::size_t i = 0; i < order_.size(); ++i)
+        x[k][i] = permuted_[k * stride + static_cast<std::size_t>(order_[i])];
   }
 
   const FactorizationMemory& memory() const override { return memory_; }
@@ -104,7 +112,6 @@ class Band final : public FirstRankFactorization {
     ldu_ = BandLdu(last, symmetric_ ? BandLdu::Symmetry::Symmetric : BandLdu::Symmetry::None);
     select_entries();
     solution_.resize(order_.size());
-    permuted_.resize(ldu_.padded_size());
     return Fit::Narrow;
   }
   void select_entries() {

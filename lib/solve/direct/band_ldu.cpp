@@ -185,35 +185,60 @@ double BandLdu::pivot_ratio() const {
   return size_ == 0 ? 1 : least / largest;
 }
 
-void BandLdu::solve(double* x) const {
+void BandLdu::solve(double* x, std::size_t count) const {
+  const std::size_t stride = padded_size();
+  for (; count >= 4; count -= 4, x += 4 * stride) solve_columns<4>(x);
+  if (count == 3) solve_columns<3>(x);
+  if (count == 2) solve_columns<2>(x);
+  if (count == 1) solve_columns<1>(x);
+}
+
+/// Does it for n columns.
+template <std::size_t n>
+void BandLdu::solve_columns(double* x) const {
+  const std::size_t distance = padded_size();
   for (const Block& block : blocks_) {
     const double* column = &entries_[block.start];
-    double* const here = x + block.first;
-    for (std::size_t c = 0; c < width; ++c)
-      for (std::size_t r = c + 1; r < width; ++r) here[r] -= column[c * block.stride + r] * here[c];
-    const std::array<double, width> known{here[0], here[1], here[2], here[3]};
+    std::array<std::array<double, width>, n> known;
+    for (std::size_t k = 0; k < n; ++k) {
+      double* const here = x + k * distance + block.first;
+      for (std::size_t c = 0; c < width; ++c)
+        for (std::size_t r = c + 1; r < width; ++r) here[r] -= column[c * block.stride + r] * here[c];
+      std::copy_n(here, width, known[k].begin());
+    }
     const std::size_t count = packs(block.first + columns, block.last);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t row = width + k * lanes;
-      Pack sum = load(here + row);
-      for (std::size_t c = 0; c < width; ++c) sum -= known[c] * load(column + c * block.stride + row);
-      sum.copy_to(here + row, unaligned);
+    for (std::size_t p = 0; p < count; ++p) {
+      const std::size_t row = width + p * lanes;
+      std::array<Pack, width> factor;
+      for (std::size_t c = 0; c < width; ++c) factor[c] = load(column + c * block.stride + row);
+      for (std::size_t k = 0; k < n; ++k) {
+        double* const here = x + k * distance + block.first + row;
+        Pack sum = load(here);
+        for (std::size_t c = 0; c < width; ++c) sum -= known[k][c] * factor[c];
+        sum.copy_to(here, unaligned);
+      }
     }
   }
   for (std::size_t b = blocks_.size(); b-- > 0;) {
     const Block& block = blocks_[b];
     const double* column = &entries_[upper_ + block.start];
-    double* const here = x + block.first;
-    std::array<Pack, width> sum{};
+    std::array<std::array<Pack, width>, n> sum{};
     const std::size_t count = packs(block.first + columns, block.last);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t row = width + k * lanes;
-      const Pack known = load(here + row);
-      for (std::size_t c = 0; c < width; ++c) sum[c] += known * load(column + c * block.stride + row);
+    for (std::size_t p = 0; p < count; ++p) {
+      const std::size_t row = width + p * lanes;
+      std::array<Pack, n> known;
+      for (std::size_t k = 0; k < n; ++k) known[k] = load(x + k * distance + block.first + row);
+      for (std::size_t c = 0; c < width; ++c) {
+        const Pack factor = load(column + c * block.stride + row);
+        for (std::size_t k = 0; k < n; ++k) sum[k][c] += known[k] * factor;
+      }
     }
-    for (std::size_t c = width; c-- > 0;) {
-      here[c] = here[c] / pivots_[b][c] - total(sum[c]);
-      for (std::size_t r = c + 1; r < width; ++r) here[c] -= column[c * block.stride + r] * here[r];
+    for (std::size_t k = 0; k < n; ++k) {
+      double* const here = x + k * distance + block.first;
+      for (std::size_t c = width; c-- > 0;) {
+        here[c] = here[c] / pivots_[b][c] - total(sum[k][c]);
+        for (std::size_t r = c + 1; r < width; ++r) here[c] -= column[c * block.stride + r] * here[r];
+      }
     }
   }
 }

@@ -32,8 +32,9 @@ class BandLdu {
   bool factor();
   /// Returns the least magnitude of a pivot over the largest, after factor(). A matrix without rows has 1.
   double pivot_ratio() const;
-  /// Sets x = A^-1 x, after factor(). The length of x is padded_size(), and what lies behind the end of A is zero.
-  void solve(double* x) const;
+  /// Sets x = A^-1 x, after factor(), for each of several columns x, one after the other. The length of each is
+  /// padded_size(), and what lies behind the end of A is zero. Columns share the passes over the factors, four by four.
+  void solve(double* x, std::size_t count = 1) const;
   std::size_t padded_size() const;
 
  private:
@@ -58,6 +59,8 @@ class BandLdu {
     std::array<double, width * width> scaled;  ///< pivots times the other factor's rows at the later block's columns
   };
   bool factor(const Block& block);
+  template <std::size_t n>
+  void solve_columns(double* x) const;
   void subtract(std::size_t k, std::size_t first, std::size_t f);
   template <std::size_t n>
   void subtract_rows(double* target, std::size_t stride, std::size_t done, const Source* end) const;

@@ -59,7 +59,6 @@ void CollectedMatrix::collect_pattern() {
   std::vector<int> all_lengths(all_rows), unsorted(all_entries);
   collect(row_counts_, lengths.data(), all_lengths.data(), MPI_INT);
   collect(entry_counts_, global.data(), unsorted.data(), MPI_INT);
-  rhs_.resize(all_rows);
   values_.resize(all_entries);
   incoming_.resize(all_entries);
   place_.resize(all_entries);
@@ -95,21 +94,27 @@ std::array<double, 3> CollectedMatrix::agreed(std::array<double, 3> numbers) con
   return numbers;
 }
 
-void CollectedMatrix::solve(const MultiVector& b, MultiVector& x,
-                            const std::function<const double*(const double*)>& solve) {
+void CollectedMatrix::solve(const MultiVector& b, MultiVector& x, const SolveColumns& solve) {
   const auto source = b.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto target = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
-  for (std::size_t column = 0; column < source.extent(1); ++column) {
-    const double* rhs = source.extent(0) > 0 ? &source(0, column) : nullptr;
-    double* solution = target.extent(0) > 0 ? &target(0, column) : nullptr;
-    if (!single()) collect(row_counts_, rhs, rhs_.data(), MPI_DOUBLE);
-    const double* all = root() ? solve(single() ? rhs : rhs_.data()) : nullptr;
-    if (single())
-      std::copy_n(all, source.extent(0), solution);
-    else
-      MPI_Scatterv(all, row_counts_.count.data(), row_counts_.start.data(), MPI_DOUBLE, solution, row_counts_.mine,
-                   MPI_DOUBLE, 0, comm_);
+  const std::size_t count = source.extent(1), rows = root() ? static_cast<std::size_t>(size()) : 0;
+  std::vector<const double*> rhs(count);
+  std::vector<double*> solutions(count);
+  if (!single()) {
+    rhs_.resize(count * rows);
+    solutions_.resize(rhs_.size());
   }
+  for (std::size_t column = 0; column < count; ++column) {
+    const double* const own = source.extent(0) > 0 ? &source(0, column) : nullptr;
+    double* const own_solution = target.extent(0) > 0 ? &target(0, column) : nullptr;
+    rhs[column] = single() ? own : rhs_.data() + column * rows;
+    solutions[column] = single() ? own_solution : solutions_.data() + column * rows;
+    if (!single()) collect(row_counts_, own, rhs_.data() + column * rows, MPI_DOUBLE);
+  }
+  if (root()) solve(rhs, solutions);
+  for (std::size_t column = 0; column < count && !single(); ++column)
+    MPI_Scatterv(solutions[column], row_counts_.count.data(), row_counts_.start.data(), MPI_DOUBLE,
+                 target.extent(0) > 0 ? &target(0, column) : nullptr, row_counts_.mine, MPI_DOUBLE, 0, comm_);
 }
 
 }  // namespace ixos

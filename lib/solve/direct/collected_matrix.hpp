@@ -42,9 +42,10 @@ class CollectedMatrix {
   /// Return the first rank's status, or numbers, on all ranks.
   int agreed(int status) const;
   std::array<double, 3> agreed(std::array<double, 3> numbers) const;
-  /// Solves for each column of b. On the first rank, `solve` gets the whole right-hand side and returns the whole
-  /// solution; every rank gets its part in x.
-  void solve(const MultiVector& b, MultiVector& x, const std::function<const double*(const double*)>& solve);
+  /// Solves for the columns of b. On the first rank, `solve` gets the whole columns, and sets those of the solution;
+  /// every rank gets its part in x.
+  using SolveColumns = std::function<void(const std::vector<const double*>& b, const std::vector<double*>& x)>;
+  void solve(const MultiVector& b, MultiVector& x, const SolveColumns& solve);
 
  private:
   struct Counts {
@@ -63,9 +64,9 @@ class CollectedMatrix {
   std::vector<int> starts_{0};
   int* local_columns_ = nullptr;  ///< on a single rank
   double* local_values_ = nullptr;
-  // On the first of several ranks: right-hand side, columns and values of the whole matrix; the values in the order in
-  // which they arrive; for each entry, its position in that order.
-  std::vector<double> rhs_, values_, incoming_;
+  // On the first of several ranks: right-hand sides, solutions, columns and values of the whole matrix; the values in
+  // the order in which they arrive; for each entry, its position in that order.
+  std::vector<double> rhs_, solutions_, values_, incoming_;
   std::vector<int> columns_, place_;
 };
 

@@ -1,5 +1,6 @@
 #include "solve/iterative/collected_cg.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -61,9 +62,9 @@ CollectedSolve collected_cg(CollectedMatrix& matrix, const std::function<const d
                             const MultiVector& b, MultiVector& x, double tolerance, int maximum_iterations) {
   CollectedSolve result;
   std::vector<double> solution;
-  matrix.solve(b, x, [&](const double* rhs) {
-    result = iterate(matrix, precondition, rhs, tolerance, maximum_iterations, solution);
-    return static_cast<const double*>(solution.data());
+  matrix.solve(b, x, [&](const std::vector<const double*>& from, const std::vector<double*>& to) {
+    result = iterate(matrix, precondition, from[0], tolerance, maximum_iterations, solution);
+    std::copy(solution.begin(), solution.end(), to[0]);
   });
   const std::array<double, 3> agreed =
       matrix.agreed({static_cast<double>(result.status), static_cast<double>(result.iterations), result.residual});

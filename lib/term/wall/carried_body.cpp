@@ -1,23 +1,54 @@
 #include "term/wall/carried_body.hpp"
 
+#include <algorithm>
+#include <experimental/simd>
+
 #include "rigid/cayley.hpp"
 
 namespace ixos {
+namespace {
 
-SurfaceSight CarriedBody::at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen) const {
-  SurfaceSight sight{BodySight::at(pose.turn, pose.step, point.to), point.to};
-  for (const MovingFrame::Node& node : frame_.nodes()) sight.arms.push_back(frame_.arm(pose, node, seen));
-  return sight;
+/// The numbers that belong to the freedoms of a body, T first; in the plane T_x, T_y and w_z. The last ones are idle.
+template <std::size_t D>
+using Freedoms = std::experimental::fixed_size_simd<double, D == 2 ? 4 : 8>;
+
+constexpr auto unaligned = std::experimental::element_aligned;
+
+/// Returns which of them is that of the body's number i.
+std::size_t lane(std::size_t i, std::size_t dimension) {
+  return dimension == 2 && i >= RigidBody::turning ? i - RigidBody::turning : i;
 }
 
-SurfaceSight CarriedBody::between(const RigidPose& start, const RigidPose& end, const std::vector<double>& from,
-                                  const std::vector<double>& to) const {
-  SurfaceSight sight{BodySight::between(start.turn, end.turn, end.step), 0.5};
-  for (const MovingFrame::Node& node : frame_.nodes()) {
-    sight.ends.push_back(frame_.arm(end, node, to));
-    sight.arms.push_back(scaled(0.5, sum(frame_.arm(start, node, from), sight.ends.back())));
+}  // namespace
+
+CarriedBody::CarriedBody(const MovingFrame& frame)
+    : frame_(frame),
+      body_(*frame.motion().body()),
+      lanes_(frame.dimension() == 2 ? Freedoms<2>::size() : Freedoms<3>::size()),
+      block_(lanes_ * lanes_) {
+  const std::size_t nodes = frame.nodes().size();
+  for (std::vector<double>* const array : {&columns_, &rows_}) array->resize(nodes * frame.dimension() * lanes_);
+  parts_.resize(3 * columns_.size());
+  for (std::vector<Triple>* const arms : {&sight_.arms, &sight_.ends}) arms->resize(nodes);
+}
+
+const SurfaceSight& CarriedBody::at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen) {
+  sight_.body = BodySight::at(pose.turn, pose.step, point.to);
+  sight_.share = point.to;
+  for (std::size_t n = 0; n < sight_.arms.size(); ++n) sight_.arms[n] = frame_.arm(pose, frame_.nodes()[n], seen);
+  return sight_;
+}
+
+const SurfaceSight& CarriedBody::between(const RigidPose& start, const RigidPose& end, const std::vector<double>& from,
+                                         const std::vector<double>& to) {
+  sight_.body = BodySight::between(start.turn, end.turn, end.step);
+  sight_.share = 0.5;
+  for (std::size_t n = 0; n < sight_.arms.size(); ++n) {
+    const MovingFrame::Node& node = frame_.nodes()[n];
+    sight_.ends[n] = frame_.arm(end, node, to);
+    sight_.arms[n] = scaled(0.5, sum(frame_.arm(start, node, from), sight_.ends[n]));
   }
-  return sight;
+  return sight_;
 }
 
 void CarriedBody::subtract(const Triple& force, const Triple& turning, double* f) const {
@@ -65,86 +96,122 @@ void CarriedBody::see_change(const RigidPose& pose, double factor, const double*
   }
 }
 
+void CarriedBody::gather(const std::vector<double>& g, CarriedForces& forces) const {
+  forces.clear();
+  for (const MovingFrame::Node& node : frame_.nodes()) forces.push_back(frame_.vector_at(node, g.data()));
+}
+
 void CarriedBody::clear() {
-  columns_.assign(frame_.nodes().size(), {});
-  rows_.assign(frame_.nodes().size(), {});
-  block_ = {};
+  for (std::vector<double>* const array : {&columns_, &rows_, &block_}) std::fill(array->begin(), array->end(), 0.0);
 }
 
 /// Nodes see the body's motion as their own the other way: -K times the motion, besides the turning of the forces.
-void CarriedBody::add_border(const SurfaceSight& sight, const std::vector<double>& g,
-                             const std::vector<double>& values) {
+template <std::size_t D>
+void CarriedBody::add_border_of(const SurfaceSight& sight, const CarriedForces& g, std::vector<double>& own,
+                                double* values) {
+  using Pack = Freedoms<D>;
+  constexpr std::size_t lanes = Pack::size(), array = D * lanes, axis = D == 2 ? 2 : 0;
+  const auto load = [](const double* from) { return Pack(from, unaligned); };
   const std::vector<MovingFrame::Node>& nodes = frame_.nodes();
-  const std::vector<std::size_t>& free = body_.free();
-  const std::size_t d = frame_.dimension();
+  const bool turns = body_.turns();
+  const Small<double, 3> rows = turns ? sight.body.matrix() : Small<double, 3>{};  // L
   std::array<Triple, 3> spins{};
-  const Small<double, 3> rows = sight.body.matrix();  // L
-  for (const std::size_t k : free)
-    if (k >= RigidBody::turning) spins[k - RigidBody::turning] = sight.body.turning(k - RigidBody::turning);
-  parts_.resize(nodes.size());
+  for (std::size_t k = axis; k < 3 && turns; ++k) spins[k] = sight.body.turning(k);
+  // By node: how it moves with the body's freedoms, how forces on it act on them, and its columns.
+  std::fill(parts_.begin(), parts_.end(), 0.0);
   Triple force{}, moment{};  // of the nodes that this rank counts
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    Part& part = parts_[n];
-    const Triple own = frame_.vector_at(nodes[n], g.data()), in_space = turned(sight.body.forces(), own);
-    const Triple turning = sight.body.is_mean() ? scaled(0.5, turned(sight.body.pose(), own)) : in_space;
-    const Triple& end = sight.body.is_mean() ? sight.ends[n] : sight.arms[n];
-    if (nodes[n].owned) {
-      if (!nodes[n].derivative) force = sum(force, in_space);
-      moment = sum(moment, cross(sight.arms[n], in_space));
-    }
-    for (const std::size_t i : free) {
-      part.columns[i] = {};
-      if (i < RigidBody::turning) {
-        part.motions[i] = part.moments[i] = nodes[n].derivative ? Triple{} : basis_vector(i);
-        continue;
-      }
-      const std::size_t k = i - RigidBody::turning;
-      part.motions[i] = scaled(1 / sight.body.to(), cross(spins[k], end));
-      part.columns[i] = cross(spins[k], turning);
+    double *const motions = &parts_[3 * n * array], *const moments = motions + array, *const columns = moments + array;
+    for (std::size_t i = 0; i < D && !nodes[n].derivative; ++i) motions[i * lanes + i] = moments[i * lanes + i] = 1;
+    const Triple in_space = turned(sight.body.forces(), g[n]);
+    if (nodes[n].owned && !nodes[n].derivative) force = sum(force, in_space);
+    if (!turns) continue;
+    const Triple turning = sight.body.is_mean() ? scaled(0.5, turned(sight.body.pose(), g[n])) : in_space;
+    const Triple &arm = sight.arms[n], &end = sight.body.is_mean() ? sight.ends[n] : arm;
+    if (nodes[n].owned) moment = sum(moment, cross(arm, in_space));
+    for (std::size_t k = axis; k < 3; ++k) {
       // (L (a x f))_k = f . (L_k x a), L_k the k-th row of L; its derivative by the arm is f x L_k.
-      part.moments[i] = cross(rows[k], sight.arms[n]);
-      if (nodes[n].owned) rows_[n][i] = sum(rows_[n][i], cross(in_space, rows[k]), -sight.share);
-    }
-  }
-  for (const MovingFrame::Block& block : frame_.blocks()) {
-    const bool counts = nodes[block.row].owned;
-    Part &row = parts_[block.row], &column = parts_[block.column];
-    for (std::size_t i = 0; i < d; ++i)
-      for (std::size_t j = 0; j < d; ++j) {
-        const double value = values[block.first + i * block.stride + j];
-        for (const std::size_t k : free) {
-          row.columns[k][i] -= value * column.motions[k][j];
-          if (counts) rows_[block.column][k][j] -= row.moments[k][i] * value;
-        }
+      const Triple motion = cross(spins[k], end), column = cross(spins[k], turning), by_force = cross(rows[k], arm),
+                   by_arm = cross(in_space, rows[k]);
+      const std::size_t place = D + k - axis;
+      for (std::size_t i = 0; i < D; ++i) {
+        motions[i * lanes + place] = motion[i] / sight.body.to();
+        columns[i * lanes + place] = column[i];
+        moments[i * lanes + place] = by_force[i];
+        if (nodes[n].owned) rows_[n * array + i * lanes + place] -= sight.share * by_arm[i];
       }
-  }
-  for (std::size_t n = 0; n < nodes.size(); ++n)
-    for (const std::size_t k : free) {
-      columns_[n][k] = sum(columns_[n][k], parts_[n].columns[k]);
-      if (!nodes[n].owned) continue;
-      for (const std::size_t i : free) block_[i][k] -= dot(parts_[n].moments[i], parts_[n].columns[k]);
     }
-  if (!body_.turns()) return;
-  for (const std::size_t k : free) {
-    const Triple change = k < RigidBody::turning
-                              ? scaled(-sight.share, sight.body.to_rotation(cross(basis_vector(k), force)))
-                              : sight.body.to_rotation_by(k - RigidBody::turning, moment);
-    for (std::size_t i = 0; i < 3; ++i) block_[RigidBody::turning + i][k] -= change[i];
+  }
+  const Small<double, 3> left = rotation_matrix(sight.body.forces()), right = rotation_matrix(sight.body.pose());
+  for (const MovingFrame::Block& block : frame_.blocks()) {
+    const double* const motions = &parts_[3 * block.column * array];
+    const double* const moments = &parts_[(3 * block.row + 1) * array];
+    double *const columns = &parts_[(3 * block.row + 2) * array], *const row = &rows_[block.column * array];
+    std::array<std::array<double, D>, D> rows_in_space{}, value{};  // L V, L V R^T
+    for (std::size_t k = 0; k < D; ++k)
+      for (std::size_t j = 0; j < D; ++j) {
+        double& entry = own[block.first + k * block.stride + j];
+        for (std::size_t i = 0; i < D; ++i) rows_in_space[i][j] += left[i][k] * entry;
+        entry = 0;
+      }
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        for (std::size_t k = 0; k < D; ++k) value[i][j] += rows_in_space[i][k] * right[j][k];
+        if (values != nullptr) values[block.first + i * block.stride + j] += value[i][j];
+      }
+    for (std::size_t i = 0; i < D; ++i) {
+      Pack sum = load(columns + i * lanes);
+      for (std::size_t j = 0; j < D; ++j) sum -= value[i][j] * load(motions + j * lanes);
+      sum.copy_to(columns + i * lanes, unaligned);
+    }
+    if (!nodes[block.row].owned) continue;
+    for (std::size_t j = 0; j < D; ++j) {
+      Pack sum = load(row + j * lanes);
+      for (std::size_t i = 0; i < D; ++i) sum -= value[i][j] * load(moments + i * lanes);
+      sum.copy_to(row + j * lanes, unaligned);
+    }
+  }
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const double *const moments = &parts_[(3 * n + 1) * array], *const columns = moments + array;
+    for (std::size_t i = 0; i < D; ++i) {
+      const Pack column = load(columns + i * lanes);
+      double* const all = &columns_[n * array + i * lanes];
+      (load(all) + column).copy_to(all, unaligned);
+      if (!nodes[n].owned) continue;
+      for (std::size_t k = 0; k < lanes; ++k)
+        (load(&block_[k * lanes]) - moments[i * lanes + k] * column).copy_to(&block_[k * lanes], unaligned);
+    }
+  }
+  for (std::size_t k = 0; k < RigidBody::attitude && turns; ++k) {
+    const bool is_way = k < RigidBody::turning;
+    if (is_way ? k >= D : k - RigidBody::turning < axis) continue;
+    const Triple change = is_way ? scaled(-sight.share, sight.body.to_rotation(cross(basis_vector(k), force)))
+                                 : sight.body.to_rotation_by(k - RigidBody::turning, moment);
+    for (std::size_t i = axis; i < 3; ++i) block_[(D + i - axis) * lanes + lane(k, D)] -= change[i];
   }
 }
 
+void CarriedBody::add_border(const SurfaceSight& sight, const CarriedForces& g, std::vector<double>& own,
+                             double* values) {
+  if (frame_.dimension() == 2)
+    add_border_of<2>(sight, g, own, values);
+  else
+    add_border_of<3>(sight, g, own, values);
+}
+
 void CarriedBody::add_to(Border& border) const {
-  const std::size_t first = frame_.motion().first() - border.first_global();
-  const auto scale = [&](std::size_t k) { return k < 3 ? 1 : 1 / body_.length(); };
+  const std::size_t first = frame_.motion().first() - border.first_global(), d = frame_.dimension();
+  const auto scale = [&](std::size_t k) { return k < RigidBody::turning ? 1 : 1 / body_.length(); };
   for (const std::size_t k : body_.free()) {
-    for (std::size_t n = 0; n < columns_.size(); ++n) {
-      const std::size_t place = frame_.nodes()[n].first;
-      for (std::size_t i = 0; i < frame_.dimension(); ++i) {
-        border.column(first + k)[place + i] += scale(k) * columns_[n][k][i];
-        border.row(first + k)[place + i] += scale(k) * rows_[n][k][i];
+    std::vector<double>&column = border.column(first + k), &row = border.row(first + k);
+    std::size_t place = lane(k, d);
+    for (const MovingFrame::Node& node : frame_.nodes())
+      for (std::size_t i = node.first; i < node.first + d; ++i, place += lanes_) {
+        column[i] += scale(k) * columns_[place];
+        row[i] += scale(k) * rows_[place];
       }
-    }
-    for (const std::size_t i : body_.free()) border.entry(first + i, first + k) += scale(i) * scale(k) * block_[i][k];
+    for (const std::size_t i : body_.free())
+      border.entry(first + i, first + k) += scale(i) * scale(k) * block_[lane(i, d) * lanes_ + lane(k, d)];
   }
 }
 

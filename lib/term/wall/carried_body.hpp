@@ -20,16 +20,22 @@ struct SurfaceSight {
   std::vector<std::array<double, 3>> ends{};  ///< those at the pose, if others
 };
 
+/// Forces by node of the frame, and in its axes.
+using CarriedForces = std::vector<std::array<double, 3>>;
+
 /// Adds forces to the body's numbers, and the border of the tangent. Not collective: sums are shares of ranks.
 class CarriedBody {
  public:
-  /// The frame must outlive it, and be carried by a body.
-  explicit CarriedBody(const MovingFrame& frame) : frame_(frame), body_(*frame.motion().body()) {}
+  using Triple = std::array<double, 3>;
 
-  /// Return how forces act at a point of a rule, where `seen` is the displacement in the frame, or between two poses.
-  SurfaceSight at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen) const;
-  SurfaceSight between(const RigidPose& start, const RigidPose& end, const std::vector<double>& from,
-                       const std::vector<double>& to) const;
+  /// The frame must outlive it, and be carried by a body.
+  explicit CarriedBody(const MovingFrame& frame);
+
+  /// Return how forces act at a point of a rule, where `seen` is the displacement in the frame, or between two poses:
+  /// valid until the next call.
+  const SurfaceSight& at(const RigidPose& pose, const RulePoint& point, const std::vector<double>& seen);
+  const SurfaceSight& between(const RigidPose& start, const RigidPose& end, const std::vector<double>& from,
+                              const std::vector<double>& to);
 
   /// Adds the forces on the body to a local array; g: a local array, forces on the nodes in the frame.
   void add_force(const SurfaceSight& sight, const std::vector<double>& g, double* f) const;
@@ -39,29 +45,29 @@ class CarriedBody {
   void see_change(const RigidPose& pose, double factor, const double* direction, const std::vector<double>& seen,
                   std::vector<double>& change) const;
 
+  /// Takes forces from a local array, to be kept.
+  void gather(const std::vector<double>& g, CarriedForces& forces) const;
   /// Begins a tangent without parts.
   void clear();
-  /// Adds a part: g as above; `values`, in the layout of the pattern, are the derivative of forces by displacements,
-  /// both in space.
-  void add_border(const SurfaceSight& sight, const std::vector<double>& g, const std::vector<double>& values);
+  /// Adds a part: `own`, in the layout of the pattern, is the derivative of forces by displacements, both in the frame.
+  /// Adds it, in space, to `values`, null for none, and sets it to 0.
+  void add_border(const SurfaceSight& sight, const CarriedForces& g, std::vector<double>& own, double* values);
   /// Adds the parts.
   void add_to(Border& border) const;
 
  private:
-  using Triple = std::array<double, 3>;
-  static constexpr std::size_t freedoms = 6;  ///< T, then w
   /// Subtracts a force on T and one on w.
   void subtract(const Triple& force, const Triple& turning, double* f) const;
+  template <std::size_t D>
+  void add_border_of(const SurfaceSight& sight, const CarriedForces& g, std::vector<double>& own, double* values);
 
   const MovingFrame& frame_;
   const RigidBody& body_;
-  std::vector<std::array<Triple, freedoms>> columns_, rows_;  ///< by node of the frame, and by T and w
-  Small<double, freedoms> block_{};
-  /// How a node moves with the body's freedoms in one part, how forces on it act on them, and its column.
-  struct Part {
-    std::array<Triple, freedoms> motions, moments, columns;
-  };
-  std::vector<Part> parts_;  ///< scratch
+  std::size_t lanes_;                   ///< of a number for each freedom that the dimension has, T first
+  std::vector<double> columns_, rows_;  ///< by node of the frame, direction, and freedom
+  std::vector<double> block_;           ///< by freedom and freedom
+  std::vector<double> parts_;           ///< scratch, see add_border_of()
+  SurfaceSight sight_;                  ///< scratch
 };
 
 }  // namespace ixos

@@ -58,9 +58,11 @@ bool MovedInteraction::is_gradient(const Rule& asked) const {
   return fixed_->is_gradient(rule) && (rule.mean == Mean::Points || !frame_.turns());
 }
 
-/// Kept points of the interaction for each point of a rule, or for its mean.
+/// What is kept for each point of a rule, or for its mean: the interaction's points, and on a carried frame the forces
+/// on its nodes.
 struct MovedInteraction::Kept final : KeptPoints {
   std::vector<std::unique_ptr<KeptPoints>> parts;  ///< null where nothing was kept yet
+  std::vector<CarriedForces> forces;
 
   /// Returns the part of point k, or null if the tangent has another weight there than the force.
   KeptPoints* part(std::size_t k, const RulePoint& point) const { return point.to == 1 ? parts[k].get() : nullptr; }
@@ -77,12 +79,13 @@ bool MovedInteraction::add_force(const Segment& segment, const Rule& asked, doub
 
 bool MovedInteraction::add_force_and_keep(const Segment& segment, const Rule& asked, KeptPoints& kept,
                                           double* f) const {
-  auto& parts = static_cast<Kept&>(kept).parts;
+  auto& own = static_cast<Kept&>(kept);
   const Rule& rule = fixed_->followed(asked);
-  parts.resize(rule.mean == Mean::Points ? rule.points.size() : 1);
-  for (std::unique_ptr<KeptPoints>& part : parts)
+  own.parts.resize(rule.mean == Mean::Points ? rule.points.size() : 1);
+  for (std::unique_ptr<KeptPoints>& part : own.parts)
     if (!part) part = fixed_->create_kept();
-  return add_force(segment, asked, &static_cast<Kept&>(kept), f);
+  if (carried_) own.forces.resize(own.parts.size());
+  return add_force(segment, asked, &own, f);
 }
 
 bool MovedInteraction::add_force(const Segment& segment, const Rule& asked, Kept* kept, double* f) const {
@@ -102,16 +105,23 @@ bool MovedInteraction::add_forces(const Segment& segment, const Rule& asked, Kep
   bool admissible = true, end_is_seen = false;
   std::size_t k = 0;
   at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
-    KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
+    KeptPoints* part = kept != nullptr ? kept->part(k, point) : nullptr;
     admissible = add(here(segment), end_rule(point.weight), part) && admissible;
-    if (carried_) carried_->add_force(pose, to_, force_, f);
+    if (carried_) {
+      carried_->add_force(pose, to_, force_, f);
+      if (kept != nullptr) carried_->gather(force_, kept->forces[k]);
+    }
+    ++k;
     frame_.add_moved(pose.turn, force_, f);
     end_is_seen = end_is_seen || is_end(point);
   });
   if (rule.mean != Mean::Points) {
     const Poses poses = see_ends(segment);
     admissible = add(ends(segment), rule, kept != nullptr ? kept->parts[0].get() : nullptr) && admissible;
-    if (carried_) carried_->add_force(carried_->between(poses.start, poses.end, from_, to_), force_, f);
+    if (carried_) {
+      carried_->add_force(carried_->between(poses.start, poses.end, from_, to_), force_, f);
+      if (kept != nullptr) carried_->gather(force_, kept->forces[0]);
+    }
     frame_.add_moved(frame_.motion().mean_turn(poses.start, poses.end), force_, f);
   } else if (!end_is_seen) {
     // The end must be admissible, too. The weight is 0; a force beyond the law's domain may be no number.
@@ -142,6 +152,10 @@ void MovedInteraction::add_tangent(const Segment& segment, const Rule& asked, Ta
   });
 }
 
+const CarriedForces* MovedInteraction::forces_of(const Kept* kept, std::size_t k) const {
+  return kept != nullptr && carried_ ? &kept->forces[k] : nullptr;
+}
+
 /// Calls visit(place) for each point of the rule, or for its mean.
 template <class Visit>
 void MovedInteraction::at_tangents(const Segment& segment, const Rule& asked, const Kept* kept,
@@ -149,13 +163,15 @@ void MovedInteraction::at_tangents(const Segment& segment, const Rule& asked, co
   const Rule& rule = fixed_->followed(asked);
   std::size_t k = 0;
   at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
-    const KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
-    visit({pose.turn, pose, here(segment), end_rule(point.weight * point.to), part, &point, nullptr});
+    const KeptPoints* part = kept != nullptr ? kept->part(k, point) : nullptr;
+    visit(
+        {pose.turn, pose, here(segment), end_rule(point.weight * point.to), part, &point, nullptr, forces_of(kept, k)});
+    ++k;
   });
   if (rule.mean == Mean::Points) return;
   const Poses poses = see_ends(segment);
   visit({frame_.motion().mean_turn(poses.start, poses.end), poses.end, ends(segment), rule,
-         kept != nullptr ? kept->parts[0].get() : nullptr, nullptr, &poses.start});
+         kept != nullptr ? kept->parts[0].get() : nullptr, nullptr, &poses.start, forces_of(kept, 0)});
 }
 
 void MovedInteraction::add_tangent(const TangentPlace& place, Tangent kind, double* values) const {
@@ -173,14 +189,17 @@ void MovedInteraction::add_carried_tangent(const Segment& segment, const Rule& a
   at_tangents(segment, asked, kept, [&](const TangentPlace& place) {
     if (place.point != nullptr && place.point->to == 0) return;
     add_tangent(place, kind, own_values_.data());
-    const Rule force = place.point != nullptr ? end_rule(place.point->weight) : place.rule;
-    fixed_->add_force(place.inside, force, force_.data());
-    const SurfaceSight sight = place.point != nullptr ? carried_->at(place.pose, *place.point, to_)
-                                                      : carried_->between(*place.start, place.pose, from_, to_);
-    frame_.turn_blocks(sight.body.forces(), place.pose.turn, true, own_values_.data());
-    carried_->add_border(sight, force_, own_values_);
-    frame_.clear(force_);
-    frame_.move_blocks(own_values_, values);
+    const CarriedForces* forces = place.forces;
+    if (forces == nullptr) {
+      const Rule rule = place.point != nullptr ? end_rule(place.point->weight) : place.rule;
+      fixed_->add_force(place.inside, rule, force_.data());
+      carried_->gather(force_, forces_);
+      frame_.clear(force_);
+      forces = &forces_;
+    }
+    const SurfaceSight& sight = place.point != nullptr ? carried_->at(place.pose, *place.point, to_)
+                                                       : carried_->between(*place.start, place.pose, from_, to_);
+    carried_->add_border(sight, *forces, own_values_, values);
   });
 }
 

@@ -122,9 +122,11 @@ class MovedInteraction final : public Interaction, public Admissibility, public 
     Segment inside;
     Rule rule;
     const KeptPoints* part;
-    const RulePoint* point;  ///< null for a mean
-    const RigidPose* start;  ///< null for a point
+    const RulePoint* point;       ///< null for a mean
+    const RigidPose* start;       ///< null for a point
+    const CarriedForces* forces;  ///< null if they are not kept
   };
+  const CarriedForces* forces_of(const Kept* kept, std::size_t point) const;
   template <class Visit>
   void at_tangents(const Segment& segment, const Rule& rule, const Kept* kept, const Visit& visit) const;
   void add_tangent(const TangentPlace& place, Tangent kind, double* values) const;
@@ -163,6 +165,7 @@ class MovedInteraction final : public Interaction, public Admissibility, public 
   mutable std::vector<std::vector<double>> known_;  ///< scratch: states as they are seen
   mutable std::vector<double> from_, to_, change_;  ///< scratch, local
   mutable std::vector<double> force_;               ///< scratch, zero between calls
+  mutable CarriedForces forces_;                    ///< scratch
 };
 
 }  // namespace ixos

@@ -51,49 +51,57 @@ Triple MovingFrame::arm(const RigidPose& pose, const Node& node, const std::vect
   return turned(pose.turn, node.derivative ? place : sum(place, pose.point, -1));
 }
 
-void MovingFrame::move_blocks(std::vector<double>& own, double* values) const {
-  for (const Block& block : blocks_)
-    for (std::size_t i = 0; i < d_; ++i)
-      for (std::size_t j = 0; j < d_; ++j) {
-        double& value = own[block.first + i * block.stride + j];
-        if (values != nullptr) values[block.first + i * block.stride + j] += value;
-        value = 0;
-      }
+template <std::size_t D, class Displacement>
+void MovingFrame::see_nodes_of(const RigidPose& pose, const Displacement& u, std::vector<double>& seen) const {
+  const bool turning = turns();
+  const Turn turn = pose.turn;
+  for (const Node& node : nodes_) {
+    const double mean = node.derivative ? 0 : 1;  // derivatives are not translated
+    std::array<double, D> own, arm;
+    for (std::size_t i = 0; i < D; ++i) {
+      own[i] = u(node.first + i) - mean * pose.translation[i];
+      arm[i] = own[i] + node.place[i] - mean * pose.point[i];
+    }
+    for (std::size_t i = 0; i < D && turning; ++i)
+      for (std::size_t j = 0; j < D; ++j) own[j] += turn[i][j] * arm[i];
+    std::copy(own.begin(), own.end(), seen.begin() + static_cast<std::ptrdiff_t>(node.first));
+  }
 }
 
-Triple MovingFrame::vector_at(const Node& node, const double* values) const {
-  Triple result{};
-  std::copy_n(values + node.first, d_, result.begin());
-  return result;
-}
-
-Triple MovingFrame::seen_from(const RigidPose& pose, const Node& node, Triple u) const {
-  if (!node.derivative) u = sum(u, pose.translation, -1);
-  if (!turns()) return u;
-  const Triple arm = node.derivative ? node.place : sum(node.place, pose.point, -1);
-  return sum(turned_back(pose.turn, u), transposed_times(pose.turn, arm));
+template <class Displacement>
+void MovingFrame::see_nodes(const RigidPose& pose, const Displacement& u, std::vector<double>& seen) const {
+  if (d_ == 2)
+    see_nodes_of<2>(pose, u, seen);
+  else
+    see_nodes_of<3>(pose, u, seen);
 }
 
 void MovingFrame::see(const RigidPose& pose, const Segment& segment, const RulePoint& point,
                       std::vector<double>& seen) const {
-  for (const Node& node : nodes_) {
-    Triple u{};
-    for (const auto& [factor, array] : {std::pair{point.to, segment.to}, std::pair{point.from, segment.from},
-                                        std::pair{point.velocity, segment.velocity}})
-      if (factor != 0) u = sum(u, vector_at(node, array), factor);
-    std::copy_n(seen_from(pose, node, u).begin(), d_, seen.begin() + static_cast<std::ptrdiff_t>(node.first));
-  }
+  const double to = point.to, from = point.from, velocity = point.velocity;
+  const double *const end = segment.to, *const start = segment.from, *const way = segment.velocity;
+  // What a factor 0 belongs to need not be given.
+  if (velocity != 0)
+    see_nodes(
+        pose, [=](std::size_t i) { return to * end[i] + (from != 0 ? from * start[i] : 0) + velocity * way[i]; }, seen);
+  else if (from != 0)
+    see_nodes(
+        pose, [=](std::size_t i) { return to * end[i] + from * start[i]; }, seen);
+  else
+    see_nodes(
+        pose, [=](std::size_t i) { return to * end[i]; }, seen);
 }
 
 void MovingFrame::see(const RigidPose& pose, const double* u, std::vector<double>& seen) const {
-  see(pose, {nullptr, nullptr, u}, {1, 0, 0, 1}, seen);
+  see_nodes(
+      pose, [u](std::size_t i) { return u[i]; }, seen);
 }
 
 void MovingFrame::see_change(const RigidPose& pose, double factor, const double* du, std::vector<double>& seen) const {
   for (const Node& node : nodes_) {
     Triple change = vector_at(node, du);
     if (turns()) change = turned_back(pose.turn, change);
-    for (std::size_t i = 0; i < d_; ++i) seen[node.first + i] = factor * change[i];
+    set(scaled(factor, change), &seen[node.first]);
   }
 }
 
@@ -101,9 +109,9 @@ void MovingFrame::add_moved(const Turn& turn, std::vector<double>& f, double* to
   for (const Node& node : nodes_) {
     Triple force = vector_at(node, f.data());
     if (turns()) force = turned(turn, force);
-    for (std::size_t i = 0; i < d_; ++i) total[node.first + i] += force[i];
+    add(force, total + node.first);
+    set({}, &f[node.first]);
   }
-  clear(f);
 }
 
 /// Adds sum_k factor(R_ik) values_k to the sums, without rotation the values themselves, and clears the values.
@@ -130,27 +138,35 @@ void MovingFrame::add_diagonal(const RigidPose& pose, std::vector<double>& diago
       pose, [](double r) { return r * r; }, diagonal, all);
 }
 
-void MovingFrame::turn_blocks(const Turn& left, const Turn& right, bool back, double* values) const {
-  const auto matrix = [back](const Turn& turn) {
-    const Small<double, 3> m = rotation_matrix(turn);
-    Small<double, 3> result;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) result[i][j] = back ? m[i][j] : m[j][i];
-    return result;
-  };
-  const Small<double, 3> l = matrix(left), r = matrix(right);
+/// Replaces V by L V R^T.
+template <std::size_t D>
+void MovingFrame::turn_blocks_of(const Small<double, 3>& l, const Small<double, 3>& r, double* values) const {
   for (const Block& block : blocks_) {
-    Small<double, 3> turned_rows{};
-    for (std::size_t i = 0; i < d_; ++i)
-      for (std::size_t j = 0; j < d_; ++j)
-        for (std::size_t k = 0; k < d_; ++k) turned_rows[i][j] += l[i][k] * values[block.first + k * block.stride + j];
-    for (std::size_t i = 0; i < d_; ++i)
-      for (std::size_t j = 0; j < d_; ++j) {
+    Small<double, D> turned_rows{};
+    for (std::size_t k = 0; k < D; ++k)
+      for (std::size_t j = 0; j < D; ++j)
+        for (std::size_t i = 0; i < D; ++i) turned_rows[i][j] += l[i][k] * values[block.first + k * block.stride + j];
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
         double value = 0;
-        for (std::size_t k = 0; k < d_; ++k) value += turned_rows[i][k] * r[j][k];
+        for (std::size_t k = 0; k < D; ++k) value += turned_rows[i][k] * r[j][k];
         values[block.first + i * block.stride + j] = value;
       }
   }
+}
+
+void MovingFrame::turn_blocks(const Turn& left, const Turn& right, bool back, double* values) const {
+  const auto matrix = [back](const Turn& turn) {
+    const Small<double, 3> m = rotation_matrix(turn);
+    Small<double, 3> transposed;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) transposed[i][j] = m[j][i];
+    return back ? m : transposed;
+  };
+  if (d_ == 2)
+    turn_blocks_of<2>(matrix(left), matrix(right), values);
+  else
+    turn_blocks_of<3>(matrix(left), matrix(right), values);
 }
 
 void MovingFrame::add_moved_matrix(const RigidPose& pose, const Pattern& pattern, const std::vector<double>& seen,
@@ -213,7 +229,7 @@ void MovingFrame::see_velocity(const RigidPose& pose, const std::vector<double>&
     const Triple place = sum(node.place, vector_at(node, seen.data()));
     const Triple arm = node.derivative ? place : sum(place, pose.point, -1);
     const Triple here = sum(node.derivative ? Triple{} : translation, cross(pose.axis, arm), pose.spin);
-    std::copy_n(here.begin(), d_, velocity.begin() + static_cast<std::ptrdiff_t>(node.first));
+    set(here, &velocity[node.first]);
   }
 }
 
@@ -221,7 +237,7 @@ void MovingFrame::add_turning_rate(const RigidPose& pose, const std::vector<doub
   if (pose.spin == 0) return;
   for (const Node& node : nodes_) {
     const Triple rate = cross(pose.axis, turned(pose.turn, vector_at(node, f.data())));
-    for (std::size_t i = 0; i < d_; ++i) total[node.first + i] += pose.spin * rate[i];
+    add(scaled(pose.spin, rate), total + node.first);
   }
 }
 
@@ -238,7 +254,7 @@ double MovingFrame::work(const Turn& turn, const std::vector<double>& f, const s
 }
 
 void MovingFrame::clear(std::vector<double>& array) const {
-  for (const Node& node : nodes_) std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(node.first), d_, 0.0);
+  for (const Node& node : nodes_) set({}, &array[node.first]);
 }
 
 }  // namespace ixos

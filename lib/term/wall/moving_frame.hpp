@@ -59,8 +59,6 @@ class MovingFrame {
   double work(const Turn& turn, const std::vector<double>& f, const std::vector<double>& seen0,
               const std::vector<double>& seen1, const double* u0, const double* u1) const;
   void clear(std::vector<double>& array) const;
-  /// Adds the blocks of all pairs of the nodes to values of the pattern, null for none, and sets them to 0.
-  void move_blocks(std::vector<double>& own, double* values) const;
 
   using Triple = std::array<double, 3>;
   struct Node {
@@ -77,12 +75,32 @@ class MovingFrame {
   const std::vector<Block>& blocks() const { return blocks_; }
   /// Returns the arm R (y - P) in space from the body's point to a node, or the derivative of the place.
   Triple arm(const RigidPose& pose, const Node& node, const std::vector<double>& seen) const;
-  Triple vector_at(const Node& node, const double* values) const;
+  Triple vector_at(const Node& node, const double* values) const {
+    const double* const v = values + node.first;
+    return {v[0], v[1], d_ == 3 ? v[2] : 0.0};
+  }
 
  private:
   template <class Factor>
   void add_turned(const RigidPose& pose, const Factor& factor, std::vector<double>& values, double* sums) const;
-  Triple seen_from(const RigidPose& pose, const Node& node, Triple u) const;
+  /// Sets `seen` at each node to what it sees of the displacement, whose component at place i of local arrays is u(i).
+  template <class Displacement>
+  void see_nodes(const RigidPose& pose, const Displacement& u, std::vector<double>& seen) const;
+  template <std::size_t D, class Displacement>
+  void see_nodes_of(const RigidPose& pose, const Displacement& u, std::vector<double>& seen) const;
+  template <std::size_t D>
+  void turn_blocks_of(const Small<double, 3>& l, const Small<double, 3>& r, double* values) const;
+  /// Sets or adds the components of v that the mesh has.
+  void set(const Triple& v, double* at) const {
+    at[0] = v[0];
+    at[1] = v[1];
+    if (d_ == 3) at[2] = v[2];
+  }
+  void add(const Triple& v, double* at) const {
+    at[0] += v[0];
+    at[1] += v[1];
+    if (d_ == 3) at[2] += v[2];
+  }
 
   FrameMotion motion_;
   std::size_t d_;

@@ -110,7 +110,7 @@ TEST(CollectedMatrixTest, AllRanksLearnTheFirstRanksStatus) {
   EXPECT_EQ(whole.agreed({mine, mine + 0.5, 2.0}), (std::array<double, 3>{0.0, 0.5, 2.0}));
 }
 
-TEST(CollectedMatrixTest, TheFirstRankSolvesForAllRanksColumnByColumn) {
+TEST(CollectedMatrixTest, TheFirstRankSolvesForAllRanks) {
   for (int n : sizes) {
     const auto matrix = cyclic(n);
     CollectedMatrix whole(matrix);
@@ -126,14 +126,12 @@ TEST(CollectedMatrixTest, TheFirstRankSolvesForAllRanksColumnByColumn) {
         for (std::size_t column = 0; column < 2; ++column) view(i, column) = given(id(i), column);
     }
     // In the place of a solver: each unknown takes the right-hand side of the opposite row.
-    std::vector<double> solution(static_cast<std::size_t>(n));
-    int calls = 0;
-    whole.solve(b, x, [&](const double* rhs) {
-      ++calls;
-      for (int row = 0; row < n; ++row) solution[static_cast<std::size_t>(row)] = 3 * rhs[n - 1 - row];
-      return solution.data();
+    int columns = 0;
+    whole.solve(b, x, [&](const std::vector<const double*>& rhs, const std::vector<double*>& solutions) {
+      for (std::size_t column = 0; column < rhs.size(); ++column, ++columns)
+        for (int row = 0; row < n; ++row) solutions[column][row] = 3 * rhs[column][n - 1 - row];
     });
-    EXPECT_EQ(calls, whole.root() ? 2 : 0);
+    EXPECT_EQ(columns, whole.root() ? 2 : 0);
     const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
     for (std::size_t i = 0; i < view.extent(0); ++i)
       for (std::size_t column = 0; column < 2; ++column)
