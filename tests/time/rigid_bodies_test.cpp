@@ -3,6 +3,7 @@
 #include <Tpetra_Operator.hpp>
 #include <Tpetra_Vector.hpp>
 #include <cmath>
+#include <string>
 
 #include "model/state_report.hpp"
 #include "solve/bordered/bordered_operator.hpp"
@@ -10,6 +11,7 @@
 #include "support/reports.hpp"
 #include "support/rigid_scene.hpp"
 #include "support/scene_text.hpp"
+#include "test_folders.hpp"
 #include "time/catalogue.hpp"
 #include "time/integrator.hpp"
 
@@ -21,8 +23,52 @@ using test::RigidScene;
 
 std::size_t first_of(const Simulation& s) { return static_cast<std::size_t>(s.model().space().first_global()); }
 
-/// The derivative of a stage's residual along a direction that moves nodes and bodies is the bordered tangent's product
-/// with it.
+/// Expects that the derivative of a stage's residual along a direction that moves nodes and bodies is the bordered
+/// tangent's product with it, after three steps.
+void expect_tangent(const Teuchos::ParameterList& scene, const std::string& label) {
+  Simulation s(scene, test::world());
+  Integrator& integrator = s.integrator();
+  for (int step = 0; step < 3; ++step) ASSERT_TRUE(integrator.step(0.05).converged) << label;
+  integrator.acceleration();
+  Model& model = const_cast<Model&>(s.model());
+  StageProblem problem(model, integrator.table(), false, false);
+  std::vector<State> states(integrator.table().stages.size() + 1);
+  states[0] = integrator.state();
+  StepMemories memories = model.create_memories();
+  const double dt = 0.1;
+  model.begin_step({known_states(states, 1).front(), dt, &states[0].histories}, memories);
+  problem.arm(0, states, dt, memories);
+  Vector x(problem.map()), direction(problem.map()), f(problem.map()), g(problem.map()), product(problem.map());
+  std::vector<double> u = states[0].u, d(u.size());
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    d[i] = std::sin(1.3 * static_cast<double>(i) + 0.4);
+    if (i >= first_of(s)) d[i] = 0.3 + 0.1 * static_cast<double>(i - first_of(s));  // alike on all ranks
+    if (i >= first_of(s) && (i - first_of(s)) % RigidBody::numbers >= RigidBody::attitude) d[i] = 0;
+    u[i] += 0.01 * d[i];
+  }
+  // The unknowns of carried nodes are those of their body.
+  for (const int dof : model.constraints().entrusted()) d[static_cast<std::size_t>(dof)] = 0;
+  model.space().take(u.data(), x);
+  model.space().take(d.data(), direction);
+  const auto w = problem.create_operator();
+  ASSERT_TRUE(problem.residual(x, f)) << label;
+  problem.tangent(x, *w);
+  w->apply(direction, product);
+  const double h = 1e-6;
+  Vector there(x, Teuchos::Copy);
+  there.update(h, direction, 1.0);
+  ASSERT_TRUE(problem.residual(there, f));
+  there.update(-2 * h, direction, 1.0);
+  ASSERT_TRUE(problem.residual(there, g));
+  f.update(-1.0, g, 1.0);
+  f.scale(1 / (2 * h));
+  f.update(-1.0, product, 1.0);
+  EXPECT_LT(f.normInf(), 2e-7 * product.normInf()) << label;
+  // Each part for itself: the bodies' rows are large.
+  const std::vector<double> row = dynamic_cast<BorderedOperator&>(*w).globals_of(f);
+  for (const double value : row) EXPECT_LT(std::abs(value), 2e-7 * product.normInf()) << label;
+}
+
 TEST(RigidBodiesTest, TheTangentIsTheDerivativeOfTheResidual) {
   for (const auto& [dimension, plate] : {std::pair{2, 0.0}, {3, 0.0}, {2, 7.0}, {3, 7.0}})
     for (const char* const scheme : {"Energy-Momentum", "Average Vector Field", "Midpoint", "Newmark",
@@ -34,48 +80,70 @@ TEST(RigidBodiesTest, TheTangentIsTheDerivativeOfTheResidual) {
       options.step = 0.05;
       options.gap = 0.15;
       options.plate = plate;
-      Simulation s(ball_on_block(options), test::world());
-      Integrator& integrator = s.integrator();
-      for (int step = 0; step < 3; ++step) ASSERT_TRUE(integrator.step(0.05).converged) << scheme;
-      integrator.acceleration();
-      Model& model = const_cast<Model&>(s.model());
-      StageProblem problem(model, integrator.table(), false, false);
-      std::vector<State> states(integrator.table().stages.size() + 1);
-      states[0] = integrator.state();
-      StepMemories memories = model.create_memories();
-      const double dt = 0.1;
-      model.begin_step({known_states(states, 1).front(), dt, &states[0].histories}, memories);
-      problem.arm(0, states, dt, memories);
-      Vector x(problem.map()), direction(problem.map()), f(problem.map()), g(problem.map()), product(problem.map());
-      std::vector<double> u = states[0].u, d(u.size());
-      for (std::size_t i = 0; i < u.size(); ++i) {
-        d[i] = std::sin(1.3 * static_cast<double>(i) + 0.4);
-        if (i >= first_of(s)) d[i] = 0.3 + 0.1 * static_cast<double>(i - first_of(s));  // alike on all ranks
-        if (i >= first_of(s) && (i - first_of(s)) % RigidBody::numbers >= RigidBody::attitude) d[i] = 0;
-        u[i] += 0.01 * d[i];
-      }
-      // The unknowns of carried nodes are those of their body.
-      for (const int dof : model.constraints().entrusted()) d[static_cast<std::size_t>(dof)] = 0;
-      model.space().take(u.data(), x);
-      model.space().take(d.data(), direction);
-      const auto w = problem.create_operator();
-      ASSERT_TRUE(problem.residual(x, f));
-      problem.tangent(x, *w);
-      w->apply(direction, product);
-      const double h = 1e-6;
-      Vector there(x, Teuchos::Copy);
-      there.update(h, direction, 1.0);
-      ASSERT_TRUE(problem.residual(there, f));
-      there.update(-2 * h, direction, 1.0);
-      ASSERT_TRUE(problem.residual(there, g));
-      f.update(-1.0, g, 1.0);
-      f.scale(1 / (2 * h));
-      f.update(-1.0, product, 1.0);
-      EXPECT_LT(f.normInf(), 2e-7 * product.normInf()) << scheme << ' ' << dimension;
-      // Each part for itself: the bodies' rows are large.
-      const std::vector<double> row = dynamic_cast<BorderedOperator&>(*w).globals_of(f);
-      for (const double value : row) EXPECT_LT(std::abs(value), 2e-7 * product.normInf()) << scheme << ' ' << dimension;
+      expect_tangent(ball_on_block(options), scheme + std::to_string(dimension));
     }
+}
+
+/// Other obstacles, contact elements, and a second body before the same surface.
+TEST(RigidBodiesTest, ObstaclesOfEachKindHaveTheirTangent) {
+  using Numbers = Teuchos::Array<double>;
+  RigidScene options;
+  options.dimension = 3;
+  options.step = 0.05;
+  options.gap = 0.25;
+  const double top = 2 + options.gap;  // where the ball begins
+  for (const char* const scheme : {"Energy-Momentum", "Average Vector Field", "Newmark"}) {
+    options.scheme = scheme;
+    const auto expect = [&](const std::string& label, const auto& change) {
+      Teuchos::ParameterList scene = ball_on_block(options);
+      change(scene, scene.sublist("Interactions").sublist("Wall"));
+      expect_tangent(scene, scheme + (' ' + label));
+    };
+    expect("Cylinder", [&](auto&, auto& wall) {
+      wall.remove("Sphere");
+      wall.set("Obstacle", "Cylinder");
+      wall.sublist("Cylinder").set("Radius", 2.0);
+      wall.sublist("Cylinder").set("Center", Numbers(Teuchos::tuple(2.2, 2.2, top + 2)));
+      wall.sublist("Cylinder").set("Axis", Numbers(Teuchos::tuple(1.0, 0.3, 0.02)));
+    });
+    expect("Cone", [&](auto&, auto& wall) {
+      wall.remove("Sphere");
+      wall.set("Obstacle", "Cone");
+      wall.sublist("Cone").set("Tip", Numbers(Teuchos::tuple(2.2, 2.2, top)));
+      wall.sublist("Cone").set("Axis", Numbers(Teuchos::tuple(0.1, 0.0, -1.0)));
+      wall.sublist("Cone").set("Half Angle", 60.0).set("Radius", 0.5);
+    });
+    expect("Half-Space", [&](auto&, auto& wall) {
+      wall.remove("Sphere");
+      wall.set("Obstacle", "Half-Space");
+      wall.set("Point", Numbers(Teuchos::tuple(2.0, 2.0, top + 0.3)));
+      wall.set("Normal", Numbers(Teuchos::tuple(0.05, 0.0, -1.0)));
+    });
+    for (const char* const rough : {"Sine Wall", "Height Field"})
+      expect(rough, [&](auto&, auto& wall) {
+        wall.remove("Sphere");
+        wall.set("Obstacle", rough);
+        Teuchos::ParameterList& shape = wall.sublist(rough);
+        shape.set("Point", Numbers(Teuchos::tuple(2.0, 2.0, top + 0.3)));
+        shape.set("Normal", Numbers(Teuchos::tuple(0.0, 0.0, -1.0))).set("Gap", "Vertical");
+        if (rough == std::string("Sine Wall")) {
+          shape.set("Amplitude", 0.05).set("Period", 5.0);
+        } else {
+          shape.set("File", std::string(IXOS_XML_DIRECTORY) + "/afm-rough.gsf")
+              .set("Periodic", true)
+              .set("Metre", 1e9)
+              .set("Level", "Top");
+        }
+      });
+    expect("Hermite", [&](auto&, auto& wall) { wall.set("Contact Element", "Q1CH"); });
+    expect("two bodies", [&](auto& scene, auto& wall) {
+      scene.sublist("Rigid Bodies").sublist("Other") = scene.sublist("Rigid Bodies").sublist("Ball");
+      scene.sublist("Rigid Bodies").sublist("Other").set("Centre", Numbers(Teuchos::tuple(0.5, 0.5, top + 2)));
+      Teuchos::ParameterList& other = scene.sublist("Interactions").sublist("Other") = wall;
+      other.set("Rigid Body", "Other");
+      other.sublist("Sphere").set("Center", Numbers(Teuchos::tuple(0.5, 0.5, top + 2)));
+    });
+  }
 }
 
 double energy_of(const Simulation& s) { return test::total_energy(s); }

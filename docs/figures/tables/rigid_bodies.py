@@ -8,8 +8,7 @@ PAGE = "docs/results/rigid-bodies.md"
 # for an iteration or more in each stage.
 CASES = (("ball", "Average Vector Field", (1.4, 0.1), 0.01, 3), ("ball", "Energy-Momentum", (1.4, 0.1), 0.01, 3),
          ("ball", "Newmark", (1.4, 0.1), 0.01, 3), ("strip", "Gautam-Sauer Composite", (30, 2), 0.5, 3),
-         ("strip", "Energy-Momentum", (30, 2), 0.5, 3), ("spatula", "Gautam-Sauer Composite", (2, 0.5), 0.5, 6),
-         ("spatula", "Energy-Momentum", (2, 0.5), 0.5, 6))
+         ("strip", "Energy-Momentum", (30, 2), 0.5, 3), ("spatula", "Gautam-Sauer Composite", (1, 0.5), 0.5, 6))
 CARRIED = "belongs to a body"
 
 
@@ -30,7 +29,7 @@ def measure_cost(context):
             return {"iteration": done["wall_seconds"] / done["newton_iterations"],
                     "iterations": done["newton_iterations"] / done["steps"]}
 
-        sample = interleaved(["rests", CARRIED], context.pick(5, 1), figures)[CARRIED]
+        sample = interleaved(["rests", CARRIED], context.pick(3 if scene == "spatula" else 5, 1), figures)[CARRIED]
         rows.append({"scene": scene, "scheme": scheme, "unknowns of the body": unknowns,
                      "an iteration, to that without": sample.ratio["iteration"],
                      "iterations a step, to those without": sample.ratio["iterations"]})

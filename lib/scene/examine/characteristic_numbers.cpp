@@ -103,18 +103,21 @@ void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, S
       numbers.least_gap = gap;
       nearest = point;
     }
-  numbers.face_length = mean_face_length(mesh, set);
+  numbers.face_length = median_face_length(mesh, set);
 }
 
 }  // namespace
 
-double mean_face_length(const Mesh& mesh, const SideSet& set) {
-  double measure = 0;
+double median_face_length(const Mesh& mesh, const SideSet& set) {
+  std::vector<double> measures;
   for (const Side& side : set.sides) {
     const bool is_triangle = mesh.dimension == 3 && count_of(corners_of(mesh, side)) == 3;  // half of a square's face
-    measure += (is_triangle ? 2 : 1) * measure_of(mesh, side) / static_cast<double>(set.sides.size());
+    measures.push_back((is_triangle ? 2 : 1) * measure_of(mesh, side));
   }
-  return mesh.dimension == 2 ? measure : std::sqrt(measure);
+  if (measures.empty()) return 0;
+  const auto middle = measures.begin() + static_cast<std::ptrdiff_t>(measures.size() / 2);
+  std::nth_element(measures.begin(), middle, measures.end());
+  return mesh.dimension == 2 ? *middle : std::sqrt(*middle);
 }
 
 double cohesive_zone(double plane_modulus, double work, double peak_traction, double thickness) {

@@ -36,7 +36,7 @@ struct SurfaceNumbers {
   double equilibrium_gap = 0;      ///< r_eq [L0]
   double elastic_length = 0;       ///< elasto-adhesive length W/E [L0]
   double cohesive_zone = 0;        ///< see cohesive_zone() [L0]
-  double face_length = 0;          ///< mean length of the sides; in 3D the root of their mean area [L0]
+  double face_length = 0;          ///< see median_face_length() [L0]
   double least_gap = 0;            ///< at the nodes of the surface, before any displacement [L0]
   double largest_gap = 0;          ///< likewise [L0]
   std::array<double, 3> normal{};  ///< out of the obstacle at the node of least gap
@@ -56,8 +56,9 @@ struct CharacteristicNumbers {
   std::vector<SurfaceNumbers> pairs;     ///< interactions of two surfaces on such bodies, see add_pair()
 };
 
-/// Returns the mean length of the sides; in 3D the root of their mean area [L0].
-double mean_face_length(const Mesh& mesh, const SideSet& set);
+/// Returns the median of the sides' lengths; in 3D the root of that of their areas [L0]. A mesh is fine where it
+/// touches: the mean would be that of the long faces far away. 0 without sides.
+double median_face_length(const Mesh& mesh, const SideSet& set);
 
 /// Returns the length of the zone in which a crack's faces attract each other [L0]: E* W/s0^2 (Hillerborg, Modeer and
 /// Petersson 1976), but no more than (2 E* W h^3/(3 s0^2))^(1/4), at which the constant traction s0 bends a plate of

@@ -25,7 +25,7 @@ void add_pair(const Mesh& mesh, const std::vector<int>& parts, const PairSurface
   const Vec<3> sum = its.direction - mine.direction;
   if (!(length(sum) >= 1.8)) return;  // 2 if they face each other
   numbers.normal = 1 / length(sum) * sum;
-  numbers.face_length = std::max(mean_face_length(mesh, own.set), mean_face_length(mesh, other.set));
+  numbers.face_length = std::max(median_face_length(mesh, own.set), median_face_length(mesh, other.set));
   numbers.least_gap = inner(way(*nearest), numbers.normal);
   numbers.largest_gap =
       numbers.least_gap + height_of(mesh, own.set, numbers.normal) + height_of(mesh, other.set, numbers.normal);

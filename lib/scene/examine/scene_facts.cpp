@@ -218,8 +218,8 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
   for (const SceneInteraction& interaction : interactions)
     if (interaction.is_pair() && interaction.passes == Passes::DoubleIntegral)
       facts.dense_points.push_back({interaction.node.name(),
-                                    std::max(mean_face_length(mesh, side_set_named(mesh, interaction.side_set)),
-                                             mean_face_length(mesh, side_set_named(mesh, interaction.primary))),
+                                    std::max(median_face_length(mesh, side_set_named(mesh, interaction.side_set)),
+                                             median_face_length(mesh, side_set_named(mesh, interaction.primary))),
                                     points_on_a_side(interaction.points), interaction.law->equilibrium_gap()});
   const std::vector<bool> held = held_nodes(scene, mesh);
   for (const BodyNumbers& body : numbers.bodies)

@@ -51,7 +51,7 @@ struct SurfaceFacts {
 /// The points of a double integral over two surfaces.
 struct DensePoints {
   std::string name{};          ///< of the interaction
-  double face_length = 0;      ///< mean length of the faces of the surface with the longer ones [L0]
+  double face_length = 0;      ///< see median_face_length(), of the surface with the longer ones [L0]
   int on_a_face = 1;           ///< per direction
   double equilibrium_gap = 0;  ///< [L0]
 };
