@@ -60,13 +60,10 @@ void DofSpace::import(const Vector& owned, double* local) const {
   if (!has_globals() || owned.getGlobalLength() == static_cast<Tpetra::global_size_t>(global_))
     return import_nodes(owned, local);
   std::vector<double> values(globals_.free.size());
-  if (buffer_.is_null()) {  // without views, which cost more than the copy
-    const auto view = owned.getLocalViewHost(Tpetra::Access::ReadOnly);
-    std::copy_n(view.data(), owned_, local);
-    interpolate_tied(local);
-  } else {
+  if (buffer_.is_null())
+    import_nodes(owned, local);  // without a view of the nodes, which costs more than the copy
+  else
     import_nodes(*owned.offsetView(owned_map_, 0), local);
-  }
   if (comm_->getRank() == 0) {
     const auto view = owned.getLocalViewHost(Tpetra::Access::ReadOnly);
     std::copy_n(view.data() + owned_, values.size(), values.begin());

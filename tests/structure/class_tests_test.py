@@ -179,7 +179,6 @@ elsewhere = {
     "scene/examine/scene_facts.hpp": ("scene/examine/warnings_test.cpp", "the facts behind each warning"),
     "scene/simulation.hpp": ("scenes/ball_test.cpp", "the tests of scenes construct it"),
     "scene/read/stop.hpp": ("run/run_test.cpp", "runs that a criterion ends"),
-    "base/dense_solve.hpp": ("time/rigid_bodies_test.cpp", "the equations of bodies, in solves and in accelerations"),
     "model/body_supports.hpp": ("verification/rigid_bodies_test.cpp", "a body on a spring, and on a base that moves"),
     "model/carried_nodes.hpp": ("time/rigid_bodies_test.cpp", "a plate that carries a block"),
     "model/supports.hpp": ("model/grips_test.cpp", "refusals of grips"),

@@ -1,4 +1,4 @@
-"""The sphere of xml/probe.xml by Johnson, Kendall and Roberts (1971) on a linear spring: closed forms in um, MPa and ms."""
+"""The sphere of xml/probe.xml by Johnson, Kendall and Roberts (1971) on a spring: closed forms in um, MPa and ms."""
 import math
 
 import numpy as np
@@ -34,7 +34,7 @@ def at_depth(work, depth):
 
 
 def zero(work):
-    """Returns the depth of the base at which no force acts, where the contact has the radius (9 pi W R^2/2 E*)^(1/3)."""
+    """Returns the depth of the base without a force, where the contact has the radius (9 pi W R^2/2 E*)^(1/3)."""
     radius = (9 * math.pi * work * RADIUS**2 / (2 * MODULUS))**(1 / 3)
     return float(depths(work, radius)[0])
 

@@ -51,15 +51,19 @@ def loading(run):
     """Returns what the measurement has of an approach."""
     base, spring = depth(run), force(run)
     down = np.flatnonzero((run["time"] < TURN) & (base > -0.1))
+    pressed = down[base[down] > 0.1]
     return {"force_in": float(np.interp(np.mean(measured()["depth_in"]), base[down], spring[down])),
-            "zero_loading": float(np.interp(0, spring[down], base[down]))}
+            "zero_loading": float(np.interp(0, spring[pressed], base[pressed]))}
 
 
 def unloading(run):
     """Returns what it has of a retraction."""
     base, spring = depth(run), force(run)
     up = np.flatnonzero(run["time"] > TURN)
-    out = up[int((run["min_gap"][up] > 2 * GAP).argmax())]
+    off = up[run["min_gap"][up] > 2 * GAP]
+    if not off.size:
+        raise RuntimeError("the probe does not come off")
+    out = off[0]
     held = np.arange(up[0], out)
     pressed = held[base[held] > 0.1][::-1]
     return {"zero_unloading": float(np.interp(0, spring[pressed], base[pressed])),
@@ -83,8 +87,8 @@ def closed_forms():
             "pull": jkr.pull(WORKS["out"]), "height_out": height, "force_out": last}
 
 
-NAMES = {"force_in": "force after the jump-in [uN]", "zero_loading": "depth without force, loading [um]",
-         "zero_unloading": "depth without force, unloading [um]", "pull": "largest pull [uN]",
+NAMES = {"force_in": "force after the jump-in [uN]", "zero_loading": "depth without force, loading [um] (fitted)",
+         "zero_unloading": "depth without force, unloading [um]", "pull": "largest pull [uN] (fitted)",
          "height_out": "height at the jump-out [um]", "force_out": "force before it [uN]"}
 
 

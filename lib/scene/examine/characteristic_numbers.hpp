@@ -56,8 +56,8 @@ struct CharacteristicNumbers {
   std::vector<SurfaceNumbers> pairs;     ///< interactions of two surfaces on such bodies, see add_pair()
 };
 
-/// Returns the median of the sides' lengths; in 3D the root of that of their areas [L0]. A mesh is fine where it
-/// touches: the mean would be that of the long faces far away. 0 without sides.
+/// Returns the median of the sides' lengths; in 3D the root of that of their areas [L0]. The mean would
+/// follow a few long faces far from the contact. 0 without sides.
 double median_face_length(const Mesh& mesh, const SideSet& set);
 
 /// Returns the length of the zone in which a crack's faces attract each other [L0]: E* W/s0^2 (Hillerborg, Modeer and

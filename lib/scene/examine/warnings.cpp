@@ -57,7 +57,8 @@ Message points_of_double_integral(const Facts& facts) {
     if (distance <= most) continue;
     const double enough = std::ceil(own.face_length / most);
     return fmt::format(
-        "Interactions/{}: the points of the double integral are {:.3g} L0 apart on average, but must be closer than a "
+        "Interactions/{}: the points of the double integral are {:.3g} L0 apart or more on half of the faces, but must "
+        "be closer than a "
         "third of the equilibrium gap, {:.3g} L0, where the surfaces touch; use {}",
         own.name, distance, most,
         enough <= most_points_on_a_side ? fmt::format("{:.0f} Surface Points, or smaller faces", enough)

@@ -15,7 +15,6 @@ BorderedOperator::BorderedOperator(Teuchos::RCP<Operator> nodal, const DofSpace&
     : nodal_(std::move(nodal)),
       space_(space),
       columns_(Teuchos::rcp(new MultiVector(space.owned_map(), size() + 1))),
-      has_column_(size()),
       rows_(size()),
       block_(size() * size()),
       x_(static_cast<std::size_t>(space.local())) {}
@@ -24,17 +23,17 @@ void BorderedOperator::set_border(Border& border) {
   const auto owned = static_cast<std::size_t>(space_.owned());
   const auto nodes = static_cast<std::ptrdiff_t>(space_.first_global());
   std::vector<double> sums(border.block());
-  sums.resize(sums.size() + size());
+  sums.push_back(0);
   const auto view = columns_->getLocalViewHost(Tpetra::Access::ReadWrite);
   for (std::size_t k = 0; k < size(); ++k) {
     const std::vector<double>&column = border.columns()[k], &row = border.rows()[k];
     if (owned > 0) std::copy_n(column.begin(), owned, &view(0, k));
-    sums[block_.size() + k] = dot(column, column, owned);
+    sums.back() += dot(column, column, owned);
     rows_[k].assign(row.begin(), row.begin() + nodes);
   }
   space_.sum(sums.data(), static_cast<int>(sums.size()));
-  std::copy_n(sums.begin(), block_.size(), block_.begin());
-  for (std::size_t k = 0; k < size(); ++k) has_column_[k] = sums[block_.size() + k] != 0;
+  block_.assign(sums.begin(), sums.end() - 1);
+  has_columns_ = sums.back() != 0;
 }
 
 std::vector<double> BorderedOperator::rows_times(const MultiVector& x) const {

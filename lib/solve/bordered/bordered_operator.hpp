@@ -20,10 +20,10 @@ class BorderedOperator final : public Operator {
   /// Takes the border: its columns are valid in owned rows, rows and block are shares of ranks. Collective.
   void set_border(Border& border);
 
+  /// Returns whether some column has an entry that is not 0. Equal on all ranks.
+  bool has_columns() const { return has_columns_; }
   /// Returns the columns, and one more, which is room for a solver's right-hand side.
   const Teuchos::RCP<MultiVector>& columns() const { return columns_; }
-  /// Returns whether the column has an entry that is not 0. Equal on all ranks.
-  bool has_column(std::size_t k) const { return has_column_[k]; }
   /// Returns rows^T x, row by row, of vectors whose first entries are the nodes'. Collective.
   std::vector<double> rows_times(const MultiVector& x) const;
   const std::vector<double>& block() const { return block_; }  ///< row by row
@@ -40,7 +40,7 @@ class BorderedOperator final : public Operator {
   Teuchos::RCP<Operator> nodal_;
   const DofSpace& space_;
   Teuchos::RCP<MultiVector> columns_;
-  std::vector<bool> has_column_;
+  bool has_columns_ = false;
   std::vector<std::vector<double>> rows_;  ///< local
   std::vector<double> block_;
   mutable std::vector<double> x_;  ///< scratch, local

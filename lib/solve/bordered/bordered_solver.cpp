@@ -6,6 +6,7 @@
 #include <Thyra_MultiVectorStdOps.hpp>
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -25,7 +26,7 @@ Teuchos::RCP<const BorderedOperator> bordered(const Thyra::LinearOpSourceBase<do
 
 class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
  public:
-  /// `at_once`: the nodal solver solves for all columns at once, at less cost, and does not fail.
+  /// `at_once`: the nodal solver takes the right-hand side with the columns, and does not fail.
   BorderedSolve(Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> nodal, bool at_once)
       : nodal_(std::move(nodal)), at_once_(at_once) {}
 
@@ -44,9 +45,12 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
       nodal_source_ = Thyra::defaultLinearOpSource<double>(linear_op(border_->nodal(), space_));
       solved_ = Teuchos::rcp(new MultiVector(*border_->columns(), Teuchos::Copy));
       all_ = {wrapped(border_->columns()), wrapped(solved_)};
-      columns_.clear();
-      for (std::size_t k = 0; k <= border_->size(); ++k)
-        columns_.push_back({wrapped(border_->columns()->getVectorNonConst(k)), wrapped(solved_->getVectorNonConst(k))});
+      const auto last = [this](MultiVector& x) { return wrapped(x.getVectorNonConst(border_->size())); };
+      const auto others = [this](MultiVector& x) {
+        return wrapped(x.subViewNonConst(Teuchos::Range1D(0, static_cast<Teuchos::Ordinal>(border_->size()) - 1)));
+      };
+      if (border_->size() > 0) columns_ = {others(*border_->columns()), others(*solved_)};
+      rhs_ = {last(*border_->columns()), last(*solved_)};
     }
     columns_are_solved_ = false;
     factory.initializeOp(nodal_source_, nodal_.get(), support);
@@ -80,16 +84,15 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   }
 
   /// Solves for the right-hand side, and for the columns if that has not been done. Returns the status of the one, or
-  /// of a solve that fails.
+  /// of a solve that does not converge.
   Status solve_systems(const Criteria& criteria) const {
-    if (at_once_ && !columns_are_solved_) return solve_nodal(all_, criteria);
-    Status status = solve_nodal(columns_.back(), criteria);
-    for (std::size_t k = 0; k < border_->size() && !columns_are_solved_; ++k) {
-      if (status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED) break;
-      if (!border_->has_column(k))
-        Thyra::assign(columns_[k].solution.ptr(), 0.0);
-      else if (solve_nodal(columns_[k], criteria).solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED)
-        status.solveStatus = Thyra::SOLVE_STATUS_UNCONVERGED;
+    if (!columns_are_solved_ && border_->has_columns() && at_once_) return solve_nodal(all_, criteria);
+    Status status = solve_nodal(rhs_, criteria);
+    if (columns_are_solved_ || columns_.given.is_null()) return status;
+    if (!border_->has_columns()) {
+      Thyra::assign(columns_.solution.ptr(), 0.0);
+    } else if (solve_nodal(columns_, criteria).solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED) {
+      status.solveStatus = Thyra::SOLVE_STATUS_UNCONVERGED;
     }
     return status;
   }
@@ -114,8 +117,9 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
       const auto room = border_->columns()->getLocalViewHost(Tpetra::Access::ReadWrite);
       std::copy_n(rhs.data(), nodes, &room(0, count));
     }
+    // An approximation that has not converged goes on, too: Newton's method may use it.
     const Status status = solve_systems(criteria);
-    if (status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED) return status;
+    const bool converged = status.solveStatus != Thyra::SOLVE_STATUS_UNCONVERGED;
     // The small matrix block - rows^T K^-1 columns, and rows^T K^-1 b.
     const std::vector<double> products = border_->rows_times(*solved_);
     small_ = border_->block();
@@ -124,8 +128,12 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
       for (std::size_t k = 0; k < count; ++k) small_[i * count + k] -= products[i * (count + 1) + k];
       globals[i] -= products[i * (count + 1) + count];
     }
-    columns_are_solved_ = true;
+    columns_are_solved_ = columns_are_solved_ || converged;
+    for (const std::vector<double>* const numbers : {&small_, &globals})
+      if (!std::all_of(numbers->begin(), numbers->end(), [](double value) { return std::isfinite(value); }))
+        throw std::runtime_error("a number of the iteration is not finite");
     globals = dense_solve(small_, globals);
+    if (globals.size() != count && !converged) return status;
     if (globals.size() != count)
       throw std::runtime_error("nothing resists some motion of a rigid body: hold it, or add springs");
     if (nodes > 0) {
@@ -146,8 +154,7 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   VectorSpace space_;
   bool at_once_;
   Teuchos::RCP<MultiVector> solved_;
-  System all_;                   ///< of all columns, and the right-hand side as the last one
-  std::vector<System> columns_;  ///< each of them
+  System all_, columns_, rhs_;  ///< the columns and the right-hand side behind them, and both for themselves
   mutable bool columns_are_solved_ = false;
   mutable std::vector<double> small_;  ///< row by row
 };

@@ -1,10 +1,12 @@
 #include <cholmod.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "base/memory.hpp"
 #include "solve/direct/first_rank_factorization.hpp"
@@ -59,9 +61,18 @@ class Cholmod final : public FirstRankFactorization {
 
   CollectedMatrix& collected() override { return *matrix_; }
   const double* solve_collected(const double* b) override {
-    // It fails only if memory runs out; an agreement on that would cost a message in every Krylov iteration.
-    if (!solve_column(b)) require(CHOLMOD_OUT_OF_MEMORY, "solve with");
+    solve_columns(b, 1);
     return static_cast<const double*>(solution_->x);
+  }
+  void solve_collected(const std::vector<const double*>& b, const std::vector<double*>& x) override {
+    const auto size = static_cast<std::size_t>(matrix_->size());
+    if (b.size() > 1) {
+      rhs_.resize(b.size() * size);
+      for (std::size_t k = 0; k < b.size(); ++k) std::copy_n(b[k], size, &rhs_[k * size]);
+    }
+    solve_columns(b.size() > 1 ? rhs_.data() : b[0], b.size());
+    for (std::size_t k = 0; k < x.size(); ++k)
+      std::copy_n(static_cast<const double*>(solution_->x) + k * solution_->d, size, x[k]);
   }
 
   const FactorizationMemory& memory() const override { return memory_; }
@@ -105,14 +116,18 @@ class Cholmod final : public FirstRankFactorization {
     return factor_ == nullptr && common_.status == CHOLMOD_OK ? CHOLMOD_INVALID : common_.status;
   }
 
-  bool solve_column(const double* rhs_values) {
+  /// Sets solution_. It fails only if memory runs out; an agreement on that would cost a message in every Krylov
+  /// iteration.
+  void solve_columns(const double* values, std::size_t count) {
     cholmod_dense rhs{};
-    rhs.nrow = rhs.nzmax = rhs.d = static_cast<std::size_t>(matrix_->size());
-    rhs.ncol = 1;
-    rhs.x = const_cast<double*>(rhs_values);
+    rhs.nrow = rhs.d = static_cast<std::size_t>(matrix_->size());
+    rhs.ncol = count;
+    rhs.nzmax = count * rhs.nrow;
+    rhs.x = const_cast<double*>(values);
     rhs.xtype = CHOLMOD_REAL;
     rhs.dtype = CHOLMOD_DOUBLE;
-    return cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &solution_, nullptr, &work1_, &work2_, &common_) != 0;
+    if (cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &solution_, nullptr, &work1_, &work2_, &common_) == 0)
+      require(CHOLMOD_OUT_OF_MEMORY, "solve with");
   }
 
   cholmod_common common_{};
@@ -121,6 +136,7 @@ class Cholmod final : public FirstRankFactorization {
   cholmod_dense* work1_ = nullptr;
   cholmod_dense* work2_ = nullptr;
   std::unique_ptr<CollectedMatrix> matrix_;
+  std::vector<double> rhs_;  ///< of several columns
   FactorizationMemory memory_;
 };
 

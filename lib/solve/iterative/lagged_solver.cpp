@@ -158,6 +158,58 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Status solveImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& b,
                    const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                    const Teuchos::Ptr<const Thyra::SolveCriteria<double>> criteria) const override {
+    return b.domain()->dim() > 1 ? solve_columns(b, x, criteria) : solve_system(b, x, criteria);
+  }
+
+  /// Solves for several right-hand sides: rounds with the factorisation take all at once, which passes over the factors
+  /// once; the rest is done one by one. The length of a column's step is that of the method of steepest descent.
+  Status solve_columns(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
+                       const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
+    constexpr int rounds = 3;
+    const double tolerance = relative_tolerance(criteria);
+    const auto count = static_cast<std::size_t>(b.domain()->dim());
+    const std::vector<double> scales = column_norms(b);
+    std::vector<double> norms = scales;
+    const auto residual = b.clone_mv(), step = b.clone_mv(), product = b.clone_mv();
+    Thyra::assign(x, 0.0);
+    const auto reached = [&](std::size_t k) { return norms[k] <= tolerance * scales[k]; };
+    for (int round = 0; round < rounds && options_.factorizes && given_.is_null() && tolerance > 0; ++round) {
+      const TimedScope timed(Phase::LinearSolve);
+      Thyra::apply(*preconditioner_.get()->getUnspecifiedPrecOp(), Thyra::NOTRANS, *residual, step.ptr());
+      Thyra::apply(*krylov_, Thyra::NOTRANS, *step, product.ptr());
+      ++statistics_->iterations;
+      std::vector<double> slopes(count), curvatures(count);
+      Thyra::dots(*residual, *step, Teuchos::arrayViewFromVector(slopes));
+      Thyra::dots(*product, *step, Teuchos::arrayViewFromVector(curvatures));
+      bool all = true, falls = true;
+      const std::vector<double> last = norms;
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto column = static_cast<Thyra::Ordinal>(k);
+        if (reached(k) || !(slopes[k] > 0 && curvatures[k] > 0)) continue;
+        Thyra::Vp_StV(x->col(column).ptr(), slopes[k] / curvatures[k], *step->col(column));
+        Thyra::Vp_StV(residual->col(column).ptr(), -slopes[k] / curvatures[k], *product->col(column));
+        norms[k] = Thyra::norm_2(*residual->col(column));
+        all = all && reached(k);
+        falls = falls && norms[k] < 0.25 * last[k];
+      }
+      if (all || !falls) break;
+    }
+    Status status;
+    status.solveStatus = Thyra::SOLVE_STATUS_CONVERGED;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (tolerance > 0 ? reached(k) : norms[k] == 0) continue;
+      Thyra::SolveCriteria<double> own = nonnull(criteria) ? *criteria : Thyra::SolveCriteria<double>();
+      if (tolerance > 0) own.requestedTol = std::min(tolerance * scales[k] / norms[k], 0.9);
+      const auto column = static_cast<Thyra::Ordinal>(k);
+      const Status one = solve_system(*residual->col(column), step->col(column).ptr(), Teuchos::ptrFromRef(own));
+      if (one.solveStatus != Thyra::SOLVE_STATUS_CONVERGED) return one;
+      Thyra::Vp_V(x->col(column).ptr(), *step->col(column));
+    }
+    return status;
+  }
+
+  Status solve_system(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
+                      const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     if (nonnull(given_)) return counted(b, x, criteria);
     const bool old = !fresh_;
     try {

@@ -80,22 +80,27 @@ class Mumps final : public Factorization {
     require("factor");
   }
 
+  /// Solves for all columns in one pass over the factors.
   void solve(const MultiVector& b, MultiVector& x) override {
-    for (std::size_t j = 0; j < b.getNumVectors(); ++j) {
-      const auto from = b.getVector(j)->getLocalViewHost(Tpetra::Access::ReadOnly);
-      mine_.resize(from.extent(0));
-      for (std::size_t i = 0; i < mine_.size(); ++i) mine_[i] = static_cast<Real>(from(i, 0));
-      MPI_Gatherv(mine_.data(), static_cast<int>(mine_.size()), type(), all_.data(), counts_.data(), starts_.data(),
-                  type(), 0, comm_);
-      data_.nrhs = 1;
-      data_.lrhs = data_.n;
-      data_.rhs = all_.data();
-      run(3);
-      require("solve with");
-      MPI_Scatterv(all_.data(), counts_.data(), starts_.data(), type(), mine_.data(), static_cast<int>(mine_.size()),
-                   type(), 0, comm_);
-      const auto to = x.getVectorNonConst(j)->getLocalViewHost(Tpetra::Access::OverwriteAll);
-      for (std::size_t i = 0; i < mine_.size(); ++i) to(i, 0) = static_cast<double>(mine_[i]);
+    const std::size_t columns = b.getNumVectors(), n = all_.empty() ? 0 : static_cast<std::size_t>(data_.n);
+    const auto from = b.getLocalViewHost(Tpetra::Access::ReadOnly);
+    all_.resize(std::max(columns * n, all_.size()));
+    mine_.resize(from.extent(0));
+    for (std::size_t j = 0; j < columns; ++j) {
+      for (std::size_t i = 0; i < mine_.size(); ++i) mine_[i] = static_cast<Real>(from(i, j));
+      MPI_Gatherv(mine_.data(), static_cast<int>(mine_.size()), type(), all_.data() + j * n, counts_.data(),
+                  starts_.data(), type(), 0, comm_);
+    }
+    data_.nrhs = static_cast<MUMPS_INT>(columns);
+    data_.lrhs = data_.n;
+    data_.rhs = all_.data();
+    run(3);
+    require("solve with");
+    const auto to = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t j = 0; j < columns; ++j) {
+      MPI_Scatterv(all_.data() + j * n, counts_.data(), starts_.data(), type(), mine_.data(),
+                   static_cast<int>(mine_.size()), type(), 0, comm_);
+      for (std::size_t i = 0; i < mine_.size(); ++i) to(i, j) = static_cast<double>(mine_[i]);
     }
   }
 

@@ -14,7 +14,7 @@ using Freedoms = std::experimental::fixed_size_simd<double, D == 2 ? 4 : 8>;
 
 constexpr auto unaligned = std::experimental::element_aligned;
 
-/// Returns which of them is that of the body's number i.
+/// Returns the place of the body's number i among them.
 std::size_t lane(std::size_t i, std::size_t dimension) {
   return dimension == 2 && i >= RigidBody::turning ? i - RigidBody::turning : i;
 }

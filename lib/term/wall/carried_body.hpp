@@ -63,7 +63,7 @@ class CarriedBody {
 
   const MovingFrame& frame_;
   const RigidBody& body_;
-  std::size_t lanes_;                   ///< of a number for each freedom that the dimension has, T first
+  std::size_t lanes_;                   ///< numbers for the freedoms of a body, see Freedoms in the source
   std::vector<double> columns_, rows_;  ///< by node of the frame, direction, and freedom
   std::vector<double> block_;           ///< by freedom and freedom
   std::vector<double> parts_;           ///< scratch, see add_border_of()

@@ -58,10 +58,10 @@ bool MovedInteraction::is_gradient(const Rule& asked) const {
   return fixed_->is_gradient(rule) && (rule.mean == Mean::Points || !frame_.turns());
 }
 
-/// What is kept for each point of a rule, or for its mean: the interaction's points, and on a carried frame the forces
-/// on its nodes.
+/// Kept points of the interaction, one for each point of a rule or for its mean; with a body also the forces on the
+/// frame's nodes.
 struct MovedInteraction::Kept final : KeptPoints {
-  std::vector<std::unique_ptr<KeptPoints>> parts;  ///< null where nothing was kept yet
+  std::vector<std::unique_ptr<KeptPoints>> parts;  ///< null where nothing was kept yet, or the interaction keeps none
   std::vector<CarriedForces> forces;
 
   /// Returns the part of point k, or null if the tangent has another weight there than the force.
@@ -69,7 +69,7 @@ struct MovedInteraction::Kept final : KeptPoints {
 };
 
 std::unique_ptr<KeptPoints> MovedInteraction::create_kept() const {
-  if (fixed_->create_kept() == nullptr) return nullptr;
+  if (!carried_ && fixed_->create_kept() == nullptr) return nullptr;
   return std::make_unique<Kept>();
 }
 

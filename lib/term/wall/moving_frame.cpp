@@ -80,7 +80,7 @@ void MovingFrame::see(const RigidPose& pose, const Segment& segment, const RuleP
                       std::vector<double>& seen) const {
   const double to = point.to, from = point.from, velocity = point.velocity;
   const double *const end = segment.to, *const start = segment.from, *const way = segment.velocity;
-  // What a factor 0 belongs to need not be given.
+  // The end is always given, the others if their factor is not 0.
   if (velocity != 0)
     see_nodes(
         pose, [=](std::size_t i) { return to * end[i] + (from != 0 ? from * start[i] : 0) + velocity * way[i]; }, seen);
