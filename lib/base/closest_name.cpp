@@ -84,8 +84,12 @@ std::string closest_name(const std::string& name, const std::vector<std::string>
 std::string no_such(const std::string& what, const std::string& name, const std::vector<std::string>& names,
                     const std::string& there) {
   if (names.empty()) return what + " \"" + name + "\" does not exist. " + there + " none";
+  constexpr std::size_t most = 30;
+  std::string some =
+      quoted_list({names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size()))});
+  if (names.size() > most) some += " and " + std::to_string(names.size() - most) + " more";
   return what + " \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) + "\"? " + there + " " +
-         quoted_list(names);
+         some;
 }
 
 std::string quoted_list(const std::vector<std::string>& names) {

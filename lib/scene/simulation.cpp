@@ -15,6 +15,7 @@
 #include "base/phase_timer.hpp"
 #include "mesh/connected_parts.hpp"
 #include "mesh/fingerprint.hpp"
+#include "mesh/name_pattern.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/refinement.hpp"
 #include "model/set_reactions.hpp"
@@ -37,6 +38,7 @@
 #include "scene/read/maxwell_branches.hpp"
 #include "scene/read/mesh_adaptation.hpp"
 #include "scene/read/mesh_refinement.hpp"
+#include "scene/read/mesh_sets.hpp"
 #include "scene/read/newton_options.hpp"
 #include "scene/read/obstacle_files.hpp"
 #include "scene/read/rigid_bodies.hpp"
@@ -300,6 +302,10 @@ Mesh Simulation::whole_mesh(const CellSplits* splits, Inertia inertia) {
   if (adaptation_.on()) splitting = {{}, splits, &base, &tree};
   Mesh mesh = plan_->make_mesh(parameters_.sublist("Mesh"), inertia == Inertia::Lumped || some_stage_needs_bubbles(),
                                splitting);
+  add_pattern_sets(set_patterns(parameters_), mesh);
+  std::vector<std::string> sets;
+  for (const NodeSet& set : mesh.node_sets) sets.push_back(set.name);
+  output_.reactions = expanded(output_.reactions, sets);
   for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
     warnings_.push_back({"mesh", std::move(message)});
   if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())

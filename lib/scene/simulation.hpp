@@ -140,7 +140,7 @@ class Simulation {
   Teuchos::ParameterList parameters_;
   const UnitSystem units_;
   std::vector<ResultUnit> result_units_;
-  const OutputOptions output_;
+  OutputOptions output_;
   const TimeIntegratorOptions time_integrator_;
   const NewtonOptions newton_;
   std::vector<Material> materials_;

@@ -125,6 +125,7 @@ def scene_forms(schemes):
     yield "roll", "roll", [FINAL + "0.1"]
     yield "press-wait-pull", "press-wait-pull", ["Stages/Pull/" + FINAL + "10"]
     yield "afm", "afm", [FINAL + "0.5"]
+    yield "pillar-array", "pillar-array", [FINAL + "0.1"]
     yield "probe", "probe", ["Stages/Approach/" + FINAL + "8.5", "Stages/Retraction/" + FINAL + "9"]
     yield "afm-rough", "afm-rough", ROUGH
     yield "afm-rough, scanned", "afm-rough", [*ROUGH, *SCANNED]

@@ -182,6 +182,8 @@ elsewhere = {
     "model/body_supports.hpp": ("verification/rigid_bodies_test.cpp", "a body on a spring, and on a base that moves"),
     "model/carried_nodes.hpp": ("time/rigid_bodies_test.cpp", "a plate that carries a block"),
     "model/supports.hpp": ("model/grips_test.cpp", "refusals of grips"),
+    "mesh/overlaps.hpp": ("mesh/repeated_test.cpp", "OverlapsTest"),
+    "scene/read/array_options.hpp": ("scene/read/mesh_array_test.cpp", "layouts and disorder"),
     "rigid/body_sight.hpp": ("time/rigid_bodies_test.cpp", "the border is the derivative of the residual"),
     "rigid/rigid_bodies.hpp": ("rigid/rigid_body_test.cpp", "RigidBodiesTest"),
     "solve/bordered/bordered_operator.hpp": ("time/rigid_bodies_test.cpp", "the border is the derivative of the residual"),

@@ -6,15 +6,19 @@
 
 #include "interaction/direction.hpp"
 #include "mesh/cell_order.hpp"
+#include "mesh/cell_place.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/joined_parts.hpp"
 #include "mesh/merged_parts.hpp"
+#include "mesh/overlaps.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/soundness.hpp"
 #include "mesh/tied_nodes.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
+#include "scene/read/array_options.hpp"
+#include "scene/read/mesh_array.hpp"
 #include "scene/read/mesh_map.hpp"
 #include "scene/read/mesh_sets.hpp"
 
@@ -82,9 +86,23 @@ Mesh part_mesh(const SceneNode& part, int order) {
 
 const char* const merge_name = "Merge";
 
+void refuse_overlaps(const SceneNode& node, const std::vector<MeshPart>& parts) {
+  std::vector<const Mesh*> meshes;
+  for (const MeshPart& part : parts) meshes.push_back(&part.mesh);
+  if (const auto overlap = find_overlap(meshes))
+    throw InputError(fmt::format("{}: the parts \"{}\" and \"{}\" overlap at {}; put them farther apart", node.path(),
+                                 parts[overlap->first].name, parts[overlap->second].name,
+                                 point_in_words(overlap->place, meshes.front()->dimension)));
+}
+
 Mesh parts_of_order(const SceneNode& node, int order) {
   std::vector<MeshPart> parts;
-  for (const SceneNode& part : node.sublists()) parts.push_back({part.name(), part_mesh(part, order)});
+  const bool repeats = node.name() == array_mesh_name;
+  for (const SceneNode& part : node.sublists()) {
+    const auto make = [order](const SceneNode& list) { return part_mesh(list, order); };
+    parts.push_back({part.name(), repeats ? array_of(part, make) : make(part)});
+  }
+  if (repeats) refuse_overlaps(node, parts);
   Mesh mesh = joined_parts(parts);
   const double tolerance = node.number(merge_name);
   if (tolerance > 0) at(node.path_of(merge_name), [&] { merge_parts(parts, tolerance, mesh); });
@@ -94,22 +112,50 @@ Mesh parts_of_order(const SceneNode& node, int order) {
 }  // namespace
 
 const char* const parts_mesh_name = "Parts";
+const char* const array_mesh_name = "Array";
+
+bool has_parts(const std::string& name) { return name == parts_mesh_name || name == array_mesh_name; }
+
+namespace {
+
+MeshEntry mesh_of_parts() {
+  MeshEntry entry;
+  entry.parameters.set(merge_name, 0.0,
+                       "Distance up to which nodes of different parts become one [L0]: parts that share a face are "
+                       "bonded, and the faces must match. 0: parts that touch are not connected.",
+                       at_least(0));
+  entry.make = [](const SceneNode& node) { return parts_of_order(node, 1); };
+  entry.make_quadratic = [](const SceneNode& node) { return parts_of_order(node, 2); };
+  return entry;
+}
+
+}  // namespace
 
 MeshEntry parts_mesh() {
-  MeshEntry entry;
+  MeshEntry entry = mesh_of_parts();
   entry.name = parts_mesh_name;
   entry.sentence =
       "Several bodies in one mesh. Each list makes one part with its own mesh. The names of its "
       "blocks and sets begin with its name and \"_\": the part \"left\" has the block \"left_body\" and the side set "
       "\"left_surface\". Parts that touch are not connected, unless Merge bonds them. A part's name has letters, "
       "digits, \"_\" and \"-\".";
-  entry.parameters.set(merge_name, 0.0,
-                       "Distance up to which nodes of different parts become one [L0]: parts that share a face are "
-                       "bonded, and the faces must match. 0: parts that touch are not connected.",
-                       at_least(0));
   declare_part(entry.parameters.sublist(any_name, false, "A part: its mesh, and where it stands."));
-  entry.make = [](const SceneNode& node) { return parts_of_order(node, 1); };
-  entry.make_quadratic = [](const SceneNode& node) { return parts_of_order(node, 2); };
+  return entry;
+}
+
+MeshEntry array_mesh() {
+  MeshEntry entry = mesh_of_parts();
+  entry.name = array_mesh_name;
+  entry.sentence =
+      "Parts as those of Parts, each of which may be there many times. Copies are counted from 1: the part \"hair\" "
+      "has "
+      "the block \"hair_body\" of all copies, the side set \"hair_pad\" of all, and \"hair_17_pad\" of the copy 17. A "
+      "name of a set with \"*\" stands for all sets that it matches: \"hair_1*_pad\". Parts and copies must not "
+      "overlap.";
+  Teuchos::ParameterList& part =
+      entry.parameters.sublist(any_name, false, "A part: its mesh, where it stands, and where its copies do.");
+  declare_part(part);
+  declare_array(part);
   return entry;
 }
 
@@ -173,7 +219,7 @@ void apply_order_and_map(const SceneNode& node, int order, const Splitting& spli
 }
 
 std::vector<SceneNode> part_lists(const SceneNode& mesh) {
-  if (mesh.text("Type") == parts_mesh_name) return mesh.sublist(parts_mesh_name).sublists();
+  if (const std::string& type = mesh.text("Type"); has_parts(type)) return mesh.sublist(type).sublists();
   return {mesh};
 }
 

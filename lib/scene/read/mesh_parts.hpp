@@ -5,13 +5,17 @@
 
 namespace ixos {
 
-/// The name of the entry parts_mesh().
+/// The names of the entries parts_mesh() and array_mesh(), and whether a name is one of them.
 extern const char* const parts_mesh_name;
+extern const char* const array_mesh_name;
+bool has_parts(const std::string& name);
 
 /// Returns the entry of several bodies in one mesh. Its parameters are any number of lists, one for each part.
 MeshEntry parts_mesh();
+/// Returns the entry whose parts may each be there many times.
+MeshEntry array_mesh();
 
-/// Returns the meshes that a part may be: the catalogue but "Given" and "Parts".
+/// Returns the meshes that a part may be: the catalogue but "Given", "Parts" and "Array".
 const Catalogue<MeshEntry>& part_meshes();
 
 /// Makes the mesh that a list chooses from a catalogue, of cells of that order: 1 leaves those of a file as they are.

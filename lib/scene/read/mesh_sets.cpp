@@ -1,5 +1,6 @@
 #include "scene/read/mesh_sets.hpp"
 
+#include "mesh/name_pattern.hpp"
 #include "mesh/selection.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
@@ -61,6 +62,21 @@ void add_sets(const SceneNode& sets, Mesh& mesh) {
         add_node_set(mesh, own.name(), selection.from, selection);
     });
   }
+}
+
+std::vector<std::string> set_patterns(const Teuchos::ParameterList& list) {
+  std::vector<std::string> result;
+  for (const auto& [name, entry] : entries(list)) {
+    if (entry.isList()) {
+      const std::vector<std::string> inner = set_patterns(Teuchos::getValue<Teuchos::ParameterList>(entry));
+      result.insert(result.end(), inner.begin(), inner.end());
+    } else if (entry.isType<std::string>() &&
+               (name == "Node Set" || name == "Side Set" || name == "Primary Side Set")) {
+      const auto& set = Teuchos::getValue<std::string>(entry);
+      if (is_pattern(set)) result.push_back(set);
+    }
+  }
+  return result;
 }
 
 }  // namespace ixos

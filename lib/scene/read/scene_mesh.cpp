@@ -12,6 +12,7 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/mortar/tied_surfaces.hpp"
+#include "mesh/name_pattern.hpp"
 #include "mesh/periodic_sides.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/soundness.hpp"
@@ -33,10 +34,10 @@ namespace ixos {
 const Catalogue<MeshEntry>& meshes() {
 #define ENTRY(name) name(),
   static const Catalogue<MeshEntry> catalogue(
-      "Type", "Selects a mesh generator, the format of a mesh file (Exodus, Gmsh), or several of them (Parts).",
+      "Type", "Selects a mesh generator, the format of a mesh file (Exodus, Gmsh), or several of them (Parts, Array).",
       {
 #include "scene/read/mesh_entries.def"
-          parts_mesh()});
+          parts_mesh(), array_mesh()});
 #undef ENTRY
   return catalogue;
 }
@@ -62,6 +63,7 @@ void for_each_pair(const SceneNode& pairs, const Mesh& mesh, const Tying& tie) {
 void finish(const SceneNode& node, Mesh& mesh) {
   at(node.path(), [&] { check_cells(mesh); });
   add_sets(node.sublist("Sets"), mesh);
+  add_pattern_sets(set_patterns(node.list()), mesh);
   for_each_pair(node.sublist("Ties"), mesh, [&](const std::string& set, const std::string& primary, double tolerance) {
     tie_surfaces(mesh, set, primary, tolerance);
   });
@@ -86,8 +88,9 @@ void find_file(Teuchos::ParameterList& body, const std::string& scene_folder) {
 /// Calls visit(list) for the list of the mesh, or of each of its parts.
 template <class Visit>
 void for_each_body(Teuchos::ParameterList& mesh, const Visit& visit) {
-  if (mesh.get<std::string>(meshes().choice()) != parts_mesh_name) return visit(mesh);
-  Teuchos::ParameterList& parts = mesh.sublist(parts_mesh_name);
+  const std::string type = mesh.get<std::string>(meshes().choice());
+  if (!has_parts(type)) return visit(mesh);
+  Teuchos::ParameterList& parts = mesh.sublist(type);
   for (const auto& [name, entry] : entries(parts))
     if (entry.isList()) visit(parts.sublist(name));
 }

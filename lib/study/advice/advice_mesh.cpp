@@ -31,12 +31,12 @@ struct CellCount {
 /// Adds the numbers of a list that chooses a generator. Returns why there are none; empty if there are some.
 std::string add_counts(const List& mesh, const std::string& path, std::vector<CellCount>& counts, int& dimension) {
   const std::string& type = mesh.get<std::string>("Type");
-  if (type == "Parts") {
-    for (const auto& [name, entry] : entries(mesh.sublist("Parts"))) {
+  if (type == "Parts" || type == "Array") {
+    for (const auto& [name, entry] : entries(mesh.sublist(type))) {
       if (!entry.isList()) continue;
       std::string part = path;
-      part.append("/Parts/").append(name);
-      std::string why = add_counts(mesh.sublist("Parts").sublist(name), part, counts, dimension);
+      part.append("/").append(type).append("/").append(name);
+      std::string why = add_counts(mesh.sublist(type).sublist(name), part, counts, dimension);
       if (!why.empty()) return why;
     }
     return {};

@@ -1,0 +1,23 @@
+/// Bodies that are in each other's way.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace ixos {
+
+/// Two meshes, by their place in a list, and a node or the centre of a cell of the first one inside the second.
+struct Overlap {
+  std::size_t first, second;
+  std::array<double, 3> place;  ///< [L0]
+};
+
+/// Returns an overlap of two of the meshes, or none; bodies that touch do not overlap. A point is inside a cell that is
+/// on the inner side of the planes through all its faces: curved and bent cells are taken as their corners have them. A
+/// body that passes between all nodes and centres of another one is not found.
+std::optional<Overlap> find_overlap(const std::vector<const Mesh*>& meshes);
+
+}  // namespace ixos
