@@ -12,7 +12,8 @@ TEST(MeshCatalogueTest, EveryEntryIsWhole) {
   Teuchos::ParameterList texts;
   texts.set("File", "the mesh");
   test::walk(meshes(), texts,
-             {"Exodus/File", "Exodus/Dimension", "Gmsh/File", "Gmsh/Dimension", "Given/Dimension", "Parts/Merge"},
+             {"Exodus/File", "Exodus/Dimension", "Gmsh/File", "Gmsh/Dimension", "Given/Dimension", "Parts/Merge",
+              "Array/Merge"},
              [&](Teuchos::ParameterList list, const MeshEntry& entry) -> std::vector<double> {
                if (entry.parameters.isParameter("File"))
                  list.sublist(entry.name).set("File", folder + (entry.name == "Gmsh" ? "pillar.msh" : "ball.e"));
@@ -32,7 +33,7 @@ TEST(MeshCatalogueTest, StatedDimensionsAreThoseOfTheMeshes) {
   Teuchos::ParameterList list = scene_parameters().sublist("Mesh");
   for (const MeshEntry& entry : meshes().entries()) {
     list.set(meshes().choice(), entry.name);
-    if (entry.name == parts_mesh_name)
+    if (has_parts(entry.name))
       EXPECT_EQ(entry.dimension, 0);  // its parts state theirs
     else if (entry.dimension == 0)
       EXPECT_TRUE(list.sublist(entry.name).isType<int>("Dimension")) << entry.name;
