@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -50,11 +51,15 @@ bool matches(const std::string& pattern, const std::string& name) {
 
 std::vector<std::string> expanded(const std::vector<std::string>& names, const std::vector<std::string>& known) {
   std::vector<std::string> result;
+  std::set<std::string> from_patterns;
   for (const std::string& name : names) {
-    const std::size_t before = result.size();
+    bool any = false;
     for (const std::string& other : known)
-      if (is_pattern(name) && !is_pattern(other) && matches(name, other)) result.push_back(other);
-    if (result.size() == before) result.push_back(name);
+      if (is_pattern(name) && !is_pattern(other) && matches(name, other)) {
+        any = true;
+        if (from_patterns.insert(other).second) result.push_back(other);
+      }
+    if (!any && from_patterns.count(name) == 0) result.push_back(name);
   }
   return result;
 }

@@ -1,14 +1,17 @@
 #include "mesh/overlaps.hpp"
 
+#include <algorithm>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <set>
 #include <utility>
 
+#include "base/vector3.hpp"
 #include "fem/cell_type.hpp"
 #include "mesh/bounds.hpp"
 #include "mesh/cell_place.hpp"
@@ -45,7 +48,7 @@ Cells cells_of(const Mesh& mesh) {
 /// The cells of a body, and which of their sides are on its boundary.
 class Body {
  public:
-  explicit Body(const Mesh& mesh) : mesh_(mesh), cells_(cells_of(mesh)) {
+  Body(const Mesh& mesh, double depth) : mesh_(mesh), depth_(depth), cells_(cells_of(mesh)) {
     for (const Side& side : boundary_sides(mesh)) boundary_.insert({side.block, side.cell, side.side});
   }
 
@@ -58,24 +61,30 @@ class Body {
 
  private:
   bool is_inside(const Cell& cell, const Vec<3>& x) const {
-    const CellType type = mesh_.blocks[static_cast<std::size_t>(cell.first)].type;
-    for (int k = 0; k < sides_per_cell(type); ++k) {
+    const int sides = sides_per_cell(mesh_.blocks[static_cast<std::size_t>(cell.first)].type);
+    double height = std::numeric_limits<double>::infinity();  // above all sides, to the point
+    double least = height;                                    // side, or edge of a side
+    bool in_boundary = false;
+    for (int k = 0; k < sides; ++k) {
       const Side side{cell.first, cell.second, k};
       const std::array<double, 3> normal = outward_normal(mesh_, side),
                                   centre = centre_of(mesh_, corners_of(mesh_, side));
-      double way = 0, size = 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        way += normal[i] * (x[i] - centre[i]);
-        size += normal[i] * normal[i];
+      const double size = std::sqrt(dot(normal, normal));  // the length of the side, in 3D twice its area
+      double way = 0;
+      for (std::size_t i = 0; i < 3; ++i) way += normal[i] * (centre[i] - x[i]) / size;
+      least = std::min(least, mesh_.dimension == 3 ? std::sqrt(size / 2) : size);
+      if (boundary_.count({cell.first, cell.second, k}) > 0) {
+        height = std::min(height, way);
+        in_boundary = true;
+      } else if (way < -1e-9 * std::sqrt(size)) {
+        return false;
       }
-      // The normal is as long as the side, in 3D as its area: a way of so small a part of the side is none.
-      const double none = 1e-9 * (mesh_.dimension == 3 ? std::pow(size, 0.75) : size);
-      if (way > (boundary_.count({cell.first, cell.second, k}) > 0 ? -none : none)) return false;
     }
-    return true;
+    return !in_boundary || height > depth_ * least;
   }
 
   const Mesh& mesh_;
+  double depth_;
   Cells cells_;
   std::set<std::array<int, 3>> boundary_;
 };
@@ -92,7 +101,7 @@ std::optional<std::array<double, 3>> point_within(const Mesh& mesh, const Body& 
 
 }  // namespace
 
-std::optional<Overlap> find_overlap(const std::vector<const Mesh*>& meshes) {
+std::optional<Overlap> find_overlap(const std::vector<const Mesh*>& meshes, double depth) {
   std::vector<Bounds> bounds;
   std::vector<std::pair<Box, std::size_t>> boxes;
   for (const Mesh* const mesh : meshes) {
@@ -105,7 +114,7 @@ std::optional<Overlap> find_overlap(const std::vector<const Mesh*>& meshes) {
     for (auto near = all.qbegin(bgi::intersects(boxes[second].first)); near != all.qend(); ++near) {
       const std::size_t first = near->second;
       if (first == second) continue;
-      if (!body) body = std::make_unique<const Body>(*meshes[second]);
+      if (!body) body = std::make_unique<const Body>(*meshes[second], depth);
       if (const auto place = point_within(*meshes[first], *body)) return Overlap{first, second, *place};
     }
   }

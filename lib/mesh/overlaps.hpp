@@ -15,9 +15,10 @@ struct Overlap {
   std::array<double, 3> place;  ///< [L0]
 };
 
-/// Returns an overlap of two of the meshes, or none; bodies that touch do not overlap. A point is inside a cell that is
+/// Returns an overlap of two of the meshes, or none; bodies that touch do not overlap. Only points count that are
+/// deeper below the surface than `depth`, a part of the least side of the cell there. A point is inside a cell that is
 /// on the inner side of the planes through all its faces: curved and bent cells are taken as their corners have them. A
 /// body that passes between all nodes and centres of another one is not found.
-std::optional<Overlap> find_overlap(const std::vector<const Mesh*>& meshes);
+std::optional<Overlap> find_overlap(const std::vector<const Mesh*>& meshes, double depth = 1e-9);
 
 }  // namespace ixos

@@ -1,5 +1,8 @@
 #include "mesh/repeated.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -24,19 +27,32 @@ void add_unions(const std::vector<Set>& own, std::vector<Set>& sets, Entries Set
   sets.insert(sets.begin(), all.begin(), all.end());
 }
 
+/// `Named`: a block or a set.
+template <class Named>
+void require_alike(const std::vector<Named>& own, const std::vector<Named>& first, const std::string& copy) {
+  for (std::size_t k = 0; k < std::max(own.size(), first.size()); ++k)
+    if (k >= own.size() || k >= first.size() || own[k].name != first[k].name)
+      throw InputError(fmt::format("copy {} has other blocks or sets than copy 1: \"{}\"", copy,
+                                   k < own.size() ? own[k].name : first[k].name));
+}
+
 }  // namespace
 
 Mesh repeated(std::vector<Mesh> copies) {
   std::vector<MeshPart> parts;
+  parts.reserve(copies.size());
   for (Mesh& copy : copies) parts.push_back({std::to_string(parts.size() + 1), std::move(copy)});
-  Mesh all = joined_parts(parts);
+  Mesh all = joined_parts(parts);  // refuses none
   const Mesh& first = parts.front().mesh;
   const std::size_t count = first.blocks.size();
   for (const MeshPart& part : parts) {
-    bool alike = part.mesh.blocks.size() == count && part.mesh.side_sets.size() == first.side_sets.size() &&
-                 part.mesh.node_sets.size() == first.node_sets.size();
-    for (std::size_t b = 0; b < count && alike; ++b) alike = part.mesh.blocks[b].type == first.blocks[b].type;
-    if (!alike) throw InputError("copy " + part.name + " has other blocks or sets than copy 1");
+    require_alike(part.mesh.blocks, first.blocks, part.name);
+    require_alike(part.mesh.side_sets, first.side_sets, part.name);
+    require_alike(part.mesh.node_sets, first.node_sets, part.name);
+    for (std::size_t b = 0; b < count; ++b)
+      if (part.mesh.blocks[b].type != first.blocks[b].type)
+        throw InputError(fmt::format("the block \"{}\" of copy {} has other cells than that of copy 1",
+                                     first.blocks[b].name, part.name));
   }
   // Cells pass into the blocks of the first copy; sides and hanging sides follow them.
   std::vector<ElementBlock> blocks;
@@ -45,15 +61,18 @@ Mesh repeated(std::vector<Mesh> copies) {
     blocks.back().name = first.blocks[b].name;
     blocks.back().file_numbers.clear();  // of one copy
   }
-  std::vector<int> shift(all.blocks.size(), 0);
-  for (std::size_t b = count; b < all.blocks.size(); ++b) {
-    ElementBlock& target = blocks[b % count];
+  std::vector<int> shift(all.blocks.size(), 0), target_of(all.blocks.size(), 0);
+  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
+    target_of[b] = b < count ? static_cast<int>(b) : target_of[b - count];
+    if (b < count) continue;
+    ElementBlock& target = blocks[static_cast<std::size_t>(target_of[b])];
     shift[b] = target.cells();
     target.nodes.insert(target.nodes.end(), all.blocks[b].nodes.begin(), all.blocks[b].nodes.end());
   }
   const auto move = [&](Side& side) {
-    side.cell += shift[static_cast<std::size_t>(side.block)];
-    side.block %= static_cast<int>(count);
+    const auto block = static_cast<std::size_t>(side.block);
+    side.cell += shift[block];
+    side.block = target_of[block];
   };
   for (SideSet& set : all.side_sets)
     for (Side& side : set.sides) move(side);

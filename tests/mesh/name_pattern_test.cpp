@@ -20,6 +20,8 @@ TEST(NamePatternTest, AStarStandsForAnyCharacters) {
 TEST(NamePatternTest, PatternsOfListsBecomeTheNamesThatTheyMatch) {
   const std::vector<std::string> known{"a_1", "b", "a_2", "a_*"};
   EXPECT_EQ(expanded({"b", "a_*", "c_*"}, known), (std::vector<std::string>{"b", "a_1", "a_2", "c_*"}));
+  EXPECT_EQ(expanded({"a_*1", "a_*", "a_2"}, known), (std::vector<std::string>{"a_1", "a_2"})) << "each once";
+  EXPECT_EQ(expanded({"b", "b"}, known), (std::vector<std::string>{"b", "b"})) << "the caller refuses these";
 }
 
 TEST(NamePatternTest, SetsOfPatternsHaveAllEntriesOnce) {

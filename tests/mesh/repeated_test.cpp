@@ -64,7 +64,10 @@ TEST(RepeatedTest, CopiesOfOtherKindsAreRefused) {
   EXPECT_EQ(test::refusal([] { repeated({}); }).find("there is no part"), 0U);
   Mesh other = box_at(2, 20);
   other.side_sets.pop_back();
-  EXPECT_EQ(test::refusal([&] { repeated({box_at(2, 0), other}); }), "copy 2 has other blocks or sets than copy 1");
+  EXPECT_EQ(test::refusal([&] {
+              repeated({box_at(2, 0), other});
+            }),
+            "copy 2 has other blocks or sets than copy 1: \"top\"");
 }
 
 TEST(OverlapsTest, BodiesThatTouchDoNotOverlap) {

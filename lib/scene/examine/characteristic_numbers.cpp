@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "interaction/catalogue.hpp"
@@ -38,9 +39,13 @@ bool for_each_place(const Mesh& mesh, const std::string& name, const Visit& visi
   return found;
 }
 
-std::optional<BodyNumbers> body_numbers(const std::string& name, const Material& material, const Mesh& mesh) {
-  Bounds box;
-  const bool found = for_each_place(mesh, material.block, [&](int node) { box.add(node_place(mesh, node)); });
+/// `parts`: by node, see connected_parts().
+std::optional<BodyNumbers> body_numbers(const std::string& name, const Material& material, const Mesh& mesh,
+                                        const std::vector<int>& parts) {
+  std::map<int, Bounds> boxes;  // of the parts
+  const bool found = for_each_place(mesh, material.block, [&](int node) {
+    boxes[parts[static_cast<std::size_t>(node)]].add(node_place(mesh, node));
+  });
   if (!found) return std::nullopt;
   const Lame lame = material.law->lame();
   const double ratio = poissons_ratio(lame);
@@ -50,8 +55,10 @@ std::optional<BodyNumbers> body_numbers(const std::string& name, const Material&
   body.plane_modulus = body.modulus / (1 - ratio * ratio);
   body.density = material.density;
   body.wave_speed = std::sqrt((lame.lambda + 2 * lame.mu) / material.density);
-  for (std::size_t i = 0; i < 3; ++i) body.size = std::max(body.size, box.extent(i));
-  if (mesh.axisymmetric) body.size = std::max(body.size, 2 * box.upper[0]);
+  for (const auto& [part, box] : boxes) {
+    for (std::size_t i = 0; i < 3; ++i) body.size = std::max(body.size, box.extent(i));
+    if (mesh.axisymmetric) body.size = std::max(body.size, 2 * box.upper[0]);
+  }
   body.crossing_time = body.size / body.wave_speed;
   return body;
 }
@@ -88,6 +95,14 @@ void take_missing_bonds(const SceneInteraction& interaction, SurfaceNumbers& num
   numbers.never_bonds =
       !interaction.law->bonds_later() && !interaction.moves() && numbers.least_gap >= interaction.law->range();
   if (numbers.never_bonds) numbers.work = numbers.peak_traction = 0;
+}
+
+/// Returns the sides of a set that belong to a part.
+SideSet sides_of_part(const Mesh& mesh, const SideSet& set, const std::vector<int>& parts, int part) {
+  SideSet result{set.name, {}};
+  for (const Side& side : set.sides)
+    if (parts[static_cast<std::size_t>(corners_of(mesh, side)[0])] == part) result.sides.push_back(side);
+  return result;
 }
 
 /// Adds what the sides of the set show; `nearest` becomes the node of least gap.
@@ -139,7 +154,7 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
   std::vector<std::size_t> body_of(materials.size(), std::string::npos);
   const std::vector<SceneNode> lists = scene.sublist("Materials").sublists();
   for (std::size_t i = 0; i < materials.size(); ++i)
-    if (auto body = body_numbers(lists[i].name(), materials[i], mesh)) {
+    if (auto body = body_numbers(lists[i].name(), materials[i], mesh, parts)) {
       body->material = i;
       body_of[i] = all.bodies.size();
       all.bodies.push_back(*body);
@@ -188,7 +203,7 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     numbers.elastic_length = numbers.work / body.modulus;
     const ObstacleGap found = obstacle_gap(*obstacle, nearest);
     for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = found.normal[axis][0];
-    numbers.extent = extent_of(mesh, surface->set, numbers.normal);
+    numbers.extent = extent_of(mesh, sides_of_part(mesh, surface->set, parts, numbers.part), numbers.normal);
     numbers.thickness = extent_along(mesh, parts, numbers.part, numbers.normal);
     numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, numbers.thickness);
     double curvature = curvature_below(*obstacle, nearest, mesh.dimension);

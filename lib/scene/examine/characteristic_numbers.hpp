@@ -18,7 +18,7 @@ struct BodyNumbers {
   double plane_modulus = 0;  ///< E* = E/(1 - nu^2) [E0]
   double density = 0;        ///< rho [E0 T0^2/L0^2]
   double wave_speed = 0;     ///< of compression waves, sqrt((lambda + 2 mu)/rho) [L0/T0]
-  double size = 0;           ///< longest side of the box around the cells [L0]
+  double size = 0;           ///< longest side of the box around the cells of a connected part [L0]
   double crossing_time = 0;  ///< size over wave speed [T0]
 };
 

@@ -11,7 +11,7 @@ const Options<ArrayGrid>& grid_options() {
       Options<ArrayGrid>()
           .add("Counts", &ArrayGrid::counts,
                "Number of copies along x and y in 3D, along x in 2D [-]: one number for each of these directions.",
-               at_least(1))
+               between(1, 30000))
           .add("Spacing", &ArrayGrid::spacing, "Distance of neighbours along these directions [L0].", greater_than(0))
           .add("Stagger", &ArrayGrid::stagger,
                "3D only: shift of every second row along x, as a part of the spacing; 0.5 with a spacing of rows of "
@@ -23,7 +23,7 @@ const Options<ArrayGrid>& grid_options() {
 const Options<ArrayRing>& ring_options() {
   static const Options<ArrayRing> options =
       Options<ArrayRing>()
-          .add("Count", &ArrayRing::count, "Number of copies [-].", at_least(1))
+          .add("Count", &ArrayRing::count, "Number of copies [-].", between(1, 1000000))
           .add("Radius", &ArrayRing::radius, "Radius of the ring around the origin, in the plane of x and y [L0].",
                greater_than(0))
           .add("Turn", &ArrayRing::turn, "Whether copies turn with their place about the last axis.");
@@ -77,12 +77,16 @@ const Options<ArrayOptions>& options() {
                         {"Ring", ArrayLayout::Ring},
                         {"Table", ArrayLayout::Table}},
                        "Where the copies of the part stand. Once: there is one, without a number.")
+          .add("Point", &ArrayOptions::point,
+               "Point of the part about which its copies are scaled, inclined and turned, for example the root of a "
+               "pillar [L0]. If empty, it is the origin.",
+               any_number())
           .sublist("Grid", &ArrayOptions::grid, grid_options(),
                    "A grid of copies around the origin. They are counted along x first.")
           .sublist("Ring", &ArrayOptions::ring, ring_options(), "Copies on a ring.")
           .sublist("Table", &ArrayOptions::table, table_options(), "Copies at given places.")
           .sublist("Disorder", &ArrayOptions::disorder, disorder_options(),
-                   "Random differences of the copies. A copy is scaled about the origin, then inclined, turned and "
+                   "Random differences of the copies. A copy is scaled about the Point, then inclined, turned and "
                    "shifted.");
   return all;
 }

@@ -36,6 +36,7 @@ struct ArrayDisorder {
 
 struct ArrayOptions {
   ArrayLayout layout = ArrayLayout::Once;
+  std::vector<double> point;
   ArrayGrid grid;
   ArrayRing ring;
   ArrayPlaces table;

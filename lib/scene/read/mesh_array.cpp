@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/counted_random.hpp"
+#include "interaction/direction.hpp"
 #include "mesh/cell_place.hpp"
 #include "mesh/overlaps.hpp"
 #include "mesh/placement.hpp"
@@ -72,6 +73,15 @@ std::vector<Copy> table_copies(const SceneNode& node, const ArrayPlaces& table, 
   return copies;
 }
 
+/// Returns at least the number of copies.
+double count_of(const ArrayOptions& array) {
+  if (array.layout == ArrayLayout::Ring) return array.ring.count;
+  if (array.layout == ArrayLayout::Table) return static_cast<double>(array.table.places.size());
+  double count = 1;
+  for (const int many : array.grid.counts) count *= many;
+  return count;
+}
+
 std::vector<Copy> copies_of(const SceneNode& part, const ArrayOptions& array, std::size_t dimension) {
   switch (array.layout) {
     case ArrayLayout::Grid:
@@ -108,53 +118,78 @@ class Chance {
   std::uint64_t copy_;
 };
 
-// The numbers of a copy; those of parameters follow.
-constexpr std::uint64_t of_place = 0, of_angle = 3, of_inclination = 4, of_azimuth = 100, of_scale = 5,
-                        of_parameters = 6;
+// The numbers of a copy. A normal number n takes the random ones 2n and 2n + 1.
+constexpr std::uint64_t of_place = 0, of_angle = 3, of_inclination = 4, of_scale = 5, of_azimuth = 100;
+
+/// Returns the first number of a parameter, from its path alone, so that no other amount changes it (the hash of
+/// Fowler, Noll and Vo, FNV-1a). Those of arrays follow each other.
+std::uint64_t of_parameter(const std::string& path) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : path) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return (hash >> 8U) + 1000;
+}
 
 /// Changes the numbers of a part's list for a copy, by the amounts of a list of the same structure. `path`: of that.
-/// Returns the number of the next random number.
-std::uint64_t change_parameters(const SceneNode& part, const List& amounts, const std::string& path,
-                                const Chance& chance, std::uint64_t number, List& list) {
+void change_parameters(const SceneNode& part, const List& amounts, const std::string& path, const Chance& chance,
+                       List& list) {
   for (const auto& [name, entry] : entries(amounts)) {
-    const std::string place = path + "/" + name;
+    std::string place = path;
+    place.append("/").append(name);
     if (entry.isList()) {
       if (!list.isSublist(name)) part.refuse(place, "the part has no list of that name");
-      number = change_parameters(part, amounts.sublist(name), place, chance, number, list.sublist(name));
+      change_parameters(part, amounts.sublist(name), place, chance, list.sublist(name));
       continue;
     }
     const double amount = entry.isType<double>() ? Teuchos::getValue<double>(entry) : -1;
     if (!(amount >= 0) || !std::isfinite(amount)) part.refuse(place, "an amount is a real number, at least 0");
+    std::uint64_t number = of_parameter(place);
     if (list.isType<double>(name))
-      list.get<double>(name) *= 1 + chance.amount(amount, number++);
+      list.get<double>(name) *= 1 + chance.amount(amount, number);
     else if (list.isType<Teuchos::Array<double>>(name))
       for (double& value : list.get<Teuchos::Array<double>>(name)) value *= 1 + chance.amount(amount, number++);
     else
       part.refuse(place, "the part has no real number of that name");
   }
-  return number;
 }
 
 List changed_list(const SceneNode& part, const ArrayDisorder& disorder, const Chance& chance) {
   List list(part.list());
-  change_parameters(part, disorder.parameters, "Disorder/Parameters", chance, of_parameters, list);
+  change_parameters(part, disorder.parameters, "Disorder/Parameters", chance, list);
   return list;
 }
 
-/// Scales a copy, inclines, turns and shifts it.
-void place_copy(const Copy& copy, const ArrayDisorder& disorder, const Chance& chance, Mesh& mesh) {
+bool is_empty(const List& list) { return list.begin() == list.end(); }
+
+/// Refuses disorder that would do nothing, and lists that say where copies stand.
+void check_disorder(const SceneNode& part, const ArrayOptions& array) {
+  const ArrayDisorder& own = array.disorder;
+  const bool any =
+      !own.place.empty() || own.angle != 0 || own.inclination != 0 || own.scale != 0 || !is_empty(own.parameters);
+  if (array.layout == ArrayLayout::Once && any)
+    part.refuse("Disorder", "a part of the Layout Once has no copies that could differ; choose another Layout");
+  for (const char* const name : {"Grid", "Ring", "Table", "Disorder", "Sets", "Exodus", "Gmsh"})
+    if (own.parameters.isSublist(name))
+      part.refuse(std::string("Disorder/Parameters/") + name, "copies can differ in the numbers of generators alone");
+}
+
+/// Scales a copy, inclines and turns it about a point, and shifts it.
+void place_copy(const Copy& copy, const ArrayDisorder& disorder, const Triple& point, const Chance& chance,
+                Mesh& mesh) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const double scale = copy.scale * (1 + chance.amount(disorder.scale, of_scale));
   if (!(scale > 0)) throw InputError(fmt::format("its size would have the factor {:.3g}", scale));
-  for (double& x : mesh.coordinates) x *= scale;
+  for (std::size_t i = 0; i < mesh.coordinates.size(); ++i)
+    mesh.coordinates[i] = point[i % d] + scale * (mesh.coordinates[i] - point[i % d]);
   if (disorder.inclination != 0) {
     const double azimuth = chance.direction(of_azimuth);
     Placement tilt;
+    tilt.point = point;
     tilt.angle = chance.amount(disorder.inclination, of_inclination);
     tilt.axis = {std::cos(azimuth), std::sin(azimuth), 0};
     move_nodes(tilt, mesh);
   }
   Placement placement;
+  placement.point = point;
   placement.angle = copy.angle + chance.amount(disorder.angle, of_angle);
   for (std::size_t i = 0; i < d; ++i)
     placement.translation[i] =
@@ -166,8 +201,9 @@ void place_copy(const Copy& copy, const ArrayDisorder& disorder, const Chance& c
 
 Mesh array_of(const SceneNode& part, const std::function<Mesh(const SceneNode&)>& make) {
   const ArrayOptions array = read_array(part);
+  check_disorder(part, array);
   if (array.layout == ArrayLayout::Once) return make(part);
-  const bool alike = array.disorder.parameters.begin() == array.disorder.parameters.end();
+  const bool alike = is_empty(array.disorder.parameters);
   const Mesh first = make(part);
   const auto d = static_cast<std::size_t>(first.dimension);
   if (!array.disorder.place.empty() && array.disorder.place.size() != d)
@@ -176,8 +212,14 @@ Mesh array_of(const SceneNode& part, const std::function<Mesh(const SceneNode&)>
   if (d == 2 && array.disorder.inclination != 0)
     part.refuse("Disorder/Inclination", "a part of two dimensions turns about z alone: use Angle");
   changed_list(part, array.disorder, Chance(array.disorder, 1));  // refuses names that the part has not
+  const Triple point = place_of(part, "Point", d);
+  if (const double copies = count_of(array); copies * first.nodes() > 1e9)
+    part.refuse("Layout",
+                fmt::format("{:.0f} copies of {} nodes have more than 1e9 nodes together", copies, first.nodes()));
+  const std::vector<Copy> copies = copies_of(part, array, d);
   std::vector<Mesh> meshes;
-  for (const Copy& copy : copies_of(part, array, d)) {
+  meshes.reserve(copies.size());
+  for (const Copy& copy : copies) {
     const std::size_t number = meshes.size() + 1;
     try {
       const Chance chance(array.disorder, number);
@@ -187,13 +229,14 @@ Mesh array_of(const SceneNode& part, const std::function<Mesh(const SceneNode&)>
         const List list = changed_list(part, array.disorder, chance);
         meshes.push_back(make(SceneNode(list, part.path(), part.name())));
       }
-      place_copy(copy, array.disorder, chance, meshes.back());
+      place_copy(copy, array.disorder, point, chance, meshes.back());
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: copy {} (seed {}) cannot be made: {}", part.path(), number, array.disorder.seed,
                                    error.what()));
     }
   }
   std::vector<const Mesh*> all;
+  all.reserve(meshes.size());
   for (const Mesh& mesh : meshes) all.push_back(&mesh);
   if (const auto overlap = find_overlap(all))
     throw InputError(fmt::format("{}: the copies {} and {} (seed {}) overlap at {}; put them farther apart",

@@ -86,10 +86,13 @@ Mesh part_mesh(const SceneNode& part, int order) {
 
 const char* const merge_name = "Merge";
 
+/// Parts that are tied or merged may reach a little into each other.
 void refuse_overlaps(const SceneNode& node, const std::vector<MeshPart>& parts) {
+  constexpr double depth = 0.2;
   std::vector<const Mesh*> meshes;
+  meshes.reserve(parts.size());
   for (const MeshPart& part : parts) meshes.push_back(&part.mesh);
-  if (const auto overlap = find_overlap(meshes))
+  if (const auto overlap = find_overlap(meshes, depth))
     throw InputError(fmt::format("{}: the parts \"{}\" and \"{}\" overlap at {}; put them farther apart", node.path(),
                                  parts[overlap->first].name, parts[overlap->second].name,
                                  point_in_words(overlap->place, meshes.front()->dimension)));

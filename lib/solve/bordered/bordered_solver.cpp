@@ -118,7 +118,7 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
       std::copy_n(rhs.data(), nodes, &room(0, count));
     }
     // An approximation that has not converged goes on, too: Newton's method may use it.
-    const Status status = solve_systems(criteria);
+    Status status = solve_systems(criteria);
     const bool converged = status.solveStatus != Thyra::SOLVE_STATUS_UNCONVERGED;
     // The small matrix block - rows^T K^-1 columns, and rows^T K^-1 b.
     const std::vector<double> products = border_->rows_times(*solved_);

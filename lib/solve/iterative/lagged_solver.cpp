@@ -201,7 +201,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
       Thyra::SolveCriteria<double> own = nonnull(criteria) ? *criteria : Thyra::SolveCriteria<double>();
       if (tolerance > 0) own.requestedTol = std::min(tolerance * scales[k] / norms[k], 0.9);
       const auto column = static_cast<Thyra::Ordinal>(k);
-      const Status one = solve_system(*residual->col(column), step->col(column).ptr(), Teuchos::ptrFromRef(own));
+      Status one = solve_system(*residual->col(column), step->col(column).ptr(), Teuchos::ptrFromRef(own));
       if (one.solveStatus != Thyra::SOLVE_STATUS_CONVERGED) return one;
       Thyra::Vp_V(x->col(column).ptr(), *step->col(column));
     }

@@ -148,9 +148,45 @@ TEST(MeshArrayTest, WhatCannotBeIsRefusedWithTheNumberOfTheCopy) {
       list("Mesh",
            word("Type", "Array") +
                list("Array", pillar(2, grid(2, {2})) +
-                                 list("backing", word("Type", "Box") + list("Box", numbers("Lower", {-3, 2.2}) +
+                                 list("backing", word("Type", "Box") + list("Box", numbers("Lower", {-3, 2.0}) +
                                                                                        numbers("Lengths", {6, 1})))));
   expect_contains(refusal([&] { mesh_of(backing); }), "the parts \"pillar\" and \"backing\" overlap at (");
+  refused(list("Disorder", number("Scale", 0.1)), "a part of the Layout Once has no copies that could differ");
+  refused(grid(3, {30000, 30000}), "copies of 45 nodes have more than 1e9 nodes together");
+  refused(grid(3, {2, 2}) + list("Disorder", list("Parameters", list("Grid", number("Spacing", 0.1)))),
+          "copies can differ in the numbers of generators alone");
+}
+
+/// Copies that are inclined about their roots hang on a backing of elastic cells.
+TEST(MeshArrayTest, InclinedCopiesHangOnABacking) {
+  const std::string tied = list(
+      "Mesh",
+      word("Type", "Array") +
+          list("Array", pillar(2, numbers("Point", {0, 2.3}) + grid(2, {3}, 2) + list("Disorder", number("Angle", 2))) +
+                            list("backing", word("Type", "Box") +
+                                                list("Box", numbers("Lower", {-4, 2.3}) + numbers("Lengths", {8, 1}) +
+                                                                counts("Divisions", {16, 2})))) +
+          list("Ties", list("Roots", word("Side Set", "pillar_top") + word("Primary Side Set", "backing_bottom"))));
+  Simulation s(scene(tied +
+                     list("Materials", list("Pillars", word("Block", "pillar_body")) +
+                                           list("Backing", word("Block", "backing_body"))) +
+                     list("Interactions", list("Wall", word("Side Set", "pillar_bottom"))) +
+                     list("Boundary Conditions", list("Top", word("Node Set", "backing_top"))) +
+                     time_integrator("Static", 0.1, 0.2)),
+               world());
+  EXPECT_FALSE(s.model().mesh().ties.empty() && world()->getSize() == 1);
+  ASSERT_TRUE(s.integrator().step(0.1).converged);
+}
+
+/// An amount does not change the numbers of another one.
+TEST(MeshArrayTest, EachParameterHasItsOwnNumbers) {
+  const auto heights = [](const std::string& more) {
+    const Mesh mesh = mesh_of(
+        array(3, grid(3, {2, 2}) + list("Disorder", list("Parameters", list("Box", number("Lengths", 0.1) + more)))));
+    return std::vector<double>{middle(mesh, 1)[2], middle(mesh, 2)[2], middle(mesh, 4)[2]};
+  };
+  const std::vector<double> alone = heights(""), both = heights(number("Lower", 0.0));
+  EXPECT_EQ(alone, both);
 }
 
 }  // namespace
