@@ -1,4 +1,4 @@
-/// Bodies that are in each other's way.
+/// Overlapping bodies.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -63,7 +63,7 @@ const Options<ArrayDisorder>& disorder_options() {
           .add("Scale", &ArrayDisorder::scale, "Amount of the change of size, as a part of it [-].",
                at_least_and_less_than(0, 1))
           .free_form("Parameters", &ArrayDisorder::parameters,
-                     "Amounts for real numbers of the part's list, as parts of them, in lists of the same names: the "
+                     "Amounts for real numbers of the part's list, relative to them, in lists of the same names: the "
                      "entry Pad Length in a list Spatula.");
   return options;
 }

@@ -1,4 +1,4 @@
-/// The parameters of parts that are there many times.
+/// The parameters of repeated parts.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <vector>

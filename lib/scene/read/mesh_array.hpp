@@ -1,4 +1,4 @@
-/// Parts of a mesh that are there many times.
+/// Repeated parts of a mesh.
 #pragma once
 #include <functional>
 

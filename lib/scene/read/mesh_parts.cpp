@@ -150,7 +150,7 @@ MeshEntry array_mesh() {
   MeshEntry entry = mesh_of_parts();
   entry.name = array_mesh_name;
   entry.sentence =
-      "Parts as those of Parts, each of which may be there many times. Copies are counted from 1: the part \"hair\" "
+      "Parts as those of Parts, each of which may be repeated. Copies are counted from 1: the part \"hair\" "
       "has "
       "the block \"hair_body\" of all copies, the side set \"hair_pad\" of all, and \"hair_17_pad\" of the copy 17. A "
       "name of a set with \"*\" stands for all sets that it matches: \"hair_1*_pad\". Parts and copies must not "

@@ -12,7 +12,7 @@ bool has_parts(const std::string& name);
 
 /// Returns the entry of several bodies in one mesh. Its parameters are any number of lists, one for each part.
 MeshEntry parts_mesh();
-/// Returns the entry whose parts may each be there many times.
+/// Returns the entry whose parts may be repeated.
 MeshEntry array_mesh();
 
 /// Returns the meshes that a part may be: the catalogue but "Given", "Parts" and "Array".
