@@ -10,6 +10,7 @@
 #include "mesh/generators/given.hpp"
 #include "mesh/joined_parts.hpp"
 #include "mesh/merged_parts.hpp"
+#include "mesh/name_pattern.hpp"
 #include "mesh/overlaps.hpp"
 #include "mesh/placement.hpp"
 #include "mesh/quality.hpp"
@@ -188,6 +189,7 @@ void prepare(const SceneNode& node, int order, Mesh& mesh) {
 }
 
 void split_and_map(const SceneNode& node, int order, const Splitting& splitting, Mesh& mesh) {
+  if (!splitting.regions.empty()) add_pattern_sets(set_patterns(node.sublist("Refine").list()), mesh);
   at(node.path_of(splitting.regions.empty() ? "Adapt" : "Refine"), [&] { split(mesh, splitting, order); });
   map_nodes(node.sublist("Map"), mesh);
   place_bubbles(mesh);

@@ -178,6 +178,19 @@ TEST(MeshArrayTest, InclinedCopiesHangOnABacking) {
   ASSERT_TRUE(s.integrator().step(0.1).converged);
 }
 
+TEST(MeshArrayTest, PatternsChooseWhereCellsAreSplit) {
+  const auto cells = [](const std::string& set) {
+    return mesh_of(list("Mesh", word("Type", "Array") + list("Array", pillar(2, grid(2, {12}))) +
+                                    list("Refine", list("Feet", word("Side Set", set)))))
+        .cells();
+  };
+  const int none = 12 * 8, foot = 2 * 3;  // two cells become eight
+  EXPECT_EQ(cells("pillar_bottom"), none + 12 * foot);
+  EXPECT_EQ(cells("pillar_*_bottom"), none + 12 * foot);
+  EXPECT_EQ(cells("pillar_1*_bottom"), none + 4 * foot) << "1, 10, 11 and 12";
+  expect_contains(refusal([&] { cells("pillar_*_sole"); }), "pillar_*_sole");
+}
+
 /// An amount does not change the numbers of another one.
 TEST(MeshArrayTest, EachParameterHasItsOwnNumbers) {
   const auto heights = [](const std::string& more) {
