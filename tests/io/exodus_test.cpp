@@ -203,7 +203,8 @@ TEST(ExodusTest, FilesThatAreNotMeshesAreRefused) {
 
 // netCDF 4.9.0 divides by a length of zero (NC_check_vlen); this process must not be the one that does.
 TEST(ExodusTest, AFileThatEndsItsReaderIsRefused) {
-  expect_contains(refusal(IXOS_TEST_DIRECTORY "/io/divides_by_zero.e"), "is damaged: reading it crashes");
+  // "is damaged: reading it crashes", or what newer versions of the reader find out
+  expect_contains(refusal(IXOS_TEST_DIRECTORY "/io/divides_by_zero.e"), "is damaged");
 }
 
 TEST(ExodusTest, TruncatedFilesAreRefusedOrWhole) {

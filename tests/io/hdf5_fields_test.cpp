@@ -55,6 +55,7 @@ TEST_F(Hdf5FieldsTest, ExodusReadsWhatWasWritten) {
     EXPECT_EQ(time, frame);
     ex_get_var(file, frame + 1, EX_GLOBAL, 1, 0, 1, &energy);
     EXPECT_EQ(energy, 2.0 * frame);
+    values.resize(nodes);
     for (int v = 0; v < 3; ++v) {
       ASSERT_GE(ex_get_var(file, frame + 1, EX_NODAL, v + 1, 1, header.num_nodes, values.data()), 0);
       for (std::size_t n = 0; n < nodes; ++n) {
