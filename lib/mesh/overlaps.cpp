@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
@@ -16,19 +15,18 @@
 #include "mesh/bounds.hpp"
 #include "mesh/cell_place.hpp"
 #include "mesh/cell_sides.hpp"
+#include "mesh/tree_point.hpp"
 
 namespace ixos {
 namespace {
 
 namespace bg = boost::geometry;
 namespace bgi = boost::geometry::index;
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using Box = bg::model::box<Point>;
+using Box = bg::model::box<TreePoint>;
 using Cell = std::pair<int, int>;  ///< block, and cell of it
 using Cells = bgi::rtree<std::pair<Box, Cell>, bgi::quadratic<16>>;
 
-Point point(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
-Box box(const Bounds& bounds) { return {point(bounds.lower), point(bounds.upper)}; }
+Box box(const Bounds& bounds) { return {tree_point(bounds.lower), tree_point(bounds.upper)}; }
 
 Cells cells_of(const Mesh& mesh) {
   std::vector<std::pair<Box, Cell>> boxes;
@@ -54,7 +52,7 @@ class Body {
 
   /// Returns whether a point is in the body, and not on its boundary.
   bool holds(const Vec<3>& x) const {
-    for (auto cell = cells_.qbegin(bgi::intersects(point(x))); cell != cells_.qend(); ++cell)
+    for (auto cell = cells_.qbegin(bgi::intersects(tree_point(x))); cell != cells_.qend(); ++cell)
       if (is_inside(cell->second, x)) return true;
     return false;
   }

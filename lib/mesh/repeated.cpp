@@ -55,24 +55,22 @@ Mesh repeated(std::vector<Mesh> copies) {
                                      first.blocks[b].name, part.name));
   }
   // Cells pass into the blocks of the first copy; sides and hanging sides follow them.
-  std::vector<ElementBlock> blocks;
-  for (std::size_t b = 0; b < count; ++b) {
-    blocks.push_back(all.blocks[b]);
-    blocks.back().name = first.blocks[b].name;
-    blocks.back().file_numbers.clear();  // of one copy
+  std::vector<ElementBlock> blocks = first.blocks;
+  for (ElementBlock& block : blocks) {
+    block.nodes.clear();
+    block.file_numbers.clear();  // of one copy
   }
-  std::vector<int> shift(all.blocks.size(), 0), target_of(all.blocks.size(), 0);
-  for (std::size_t b = 0; b < all.blocks.size(); ++b) {
-    target_of[b] = b < count ? static_cast<int>(b) : target_of[b - count];
-    if (b < count) continue;
-    ElementBlock& target = blocks[static_cast<std::size_t>(target_of[b])];
-    shift[b] = target.cells();
-    target.nodes.insert(target.nodes.end(), all.blocks[b].nodes.begin(), all.blocks[b].nodes.end());
-  }
+  std::vector<Side> starts;  // where the first cell of each block of the joined mesh goes
+  for (std::size_t copy = 0; copy < parts.size(); ++copy)
+    for (std::size_t own = 0; own < count; ++own) {
+      const std::vector<int>& nodes = all.blocks[starts.size()].nodes;
+      starts.push_back({static_cast<int>(own), blocks[own].cells(), 0});
+      blocks[own].nodes.insert(blocks[own].nodes.end(), nodes.begin(), nodes.end());
+    }
   const auto move = [&](Side& side) {
-    const auto block = static_cast<std::size_t>(side.block);
-    side.cell += shift[block];
-    side.block = target_of[block];
+    const Side& start = starts[static_cast<std::size_t>(side.block)];
+    side.block = start.block;
+    side.cell += start.cell;
   };
   for (SideSet& set : all.side_sets)
     for (Side& side : set.sides) move(side);

@@ -56,15 +56,18 @@ def loading(run):
             "zero_loading": float(np.interp(0, spring[pressed], base[pressed]))}
 
 
-def unloading(run):
-    """Returns what it has of a retraction."""
-    base, spring = depth(run), force(run)
-    up = np.flatnonzero(run["time"] > TURN)
-    off = up[run["min_gap"][up] > 2 * GAP]
+def release(run):
+    """Returns the first row in which the probe has come off."""
+    off = np.flatnonzero((run["time"] > TURN) & (run["min_gap"] > 2 * GAP))
     if not off.size:
         raise RuntimeError("the probe does not come off")
-    out = off[0]
-    held = np.arange(up[0], out)
+    return off[0]
+
+
+def unloading(run):
+    """Returns what it has of a retraction."""
+    base, spring, out = depth(run), force(run), release(run)
+    held = np.arange(np.argmax(run["time"] > TURN), out)
     pressed = held[base[held] > 0.1][::-1]
     return {"zero_unloading": float(np.interp(0, spring[pressed], base[pressed])),
             "pull": float(spring[held].min()), "height_out": -float(base[out]), "force_out": float(spring[out - 1])}
@@ -107,9 +110,7 @@ def draw(run):
     left.axhline(at["pull"], color=recipe.style.INK, linewidth=0.6)
     left.set(xlabel="depth of the base [um]", ylabel="force of the spring [uN]", xlim=(-1.15, 1.0), ylim=(-2.4, 1.6))
     left.legend(loc="upper left", fontsize=7)
-    jumps = {"in": run["time"][int((run["min_gap"] < 1.5 * GAP).argmax())]}
-    up = np.flatnonzero(run["time"] > TURN)
-    jumps["out"] = run["time"][up[int((run["min_gap"][up] > 2 * GAP).argmax())]]
+    jumps = {"in": run["time"][int((run["min_gap"] < 1.5 * GAP).argmax())], "out": run["time"][release(run)]}
     for name, color in (("in", 0), ("out", 1)):
         near = abs(run["time"] - jumps[name] - 2) < 2.5
         right.plot(run["time"][near] - jumps[name], spring[near], color=recipe.style.COLORS[color],

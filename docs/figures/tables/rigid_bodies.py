@@ -1,4 +1,4 @@
-"""What a rigid body costs."""
+"""Measures the cost of a rigid body."""
 from ..bodies import MECHANICS
 from ..runs import FINAL_TIME, SCHEME, TIME_STEP, interleaved
 from ..table import Column, Table

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/counted_random.hpp"
+#include "base/digest.hpp"
 #include "interaction/direction.hpp"
 #include "mesh/cell_place.hpp"
 #include "mesh/overlaps.hpp"
@@ -121,13 +122,9 @@ class Chance {
 // The numbers of a copy. A normal number n takes the random ones 2n and 2n + 1.
 constexpr std::uint64_t of_place = 0, of_angle = 3, of_inclination = 4, of_scale = 5, of_azimuth = 100;
 
-/// Returns the first number of a parameter, from its path alone, so that no other amount changes it (the hash of
-/// Fowler, Noll and Vo, FNV-1a). Those of arrays follow each other.
-std::uint64_t of_parameter(const std::string& path) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : path) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return (hash >> 8U) + 1000;
-}
+/// Returns the first number of a parameter, from its path alone, so that no other amount changes it. Those of arrays
+/// follow each other.
+std::uint64_t of_parameter(const std::string& path) { return (checksum(path.data(), path.size())[0] >> 8U) + 1000; }
 
 /// Changes the numbers of a part's list for a copy, by the amounts of a list of the same structure. `path`: of that.
 void change_parameters(const SceneNode& part, const List& amounts, const std::string& path, const Chance& chance,

@@ -56,7 +56,6 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
     factory.initializeOp(nodal_source_, nodal_.get(), support);
   }
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> release() { return std::exchange(source_, Teuchos::null); }
-  const Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>>& nodal() const { return nodal_; }
 
  private:
   bool opSupportedImpl(Thyra::EOpTransp transpose) const override { return transpose == Thyra::NOTRANS; }
@@ -117,7 +116,7 @@ class BorderedSolve final : public Thyra::LinearOpWithSolveBase<double> {
       const auto room = border_->columns()->getLocalViewHost(Tpetra::Access::ReadWrite);
       std::copy_n(rhs.data(), nodes, &room(0, count));
     }
-    // An approximation that has not converged goes on, too: Newton's method may use it.
+    // Newton's method may use a solution that has not converged.
     Status status = solve_systems(criteria);
     const bool converged = status.solveStatus != Thyra::SOLVE_STATUS_UNCONVERGED;
     // The small matrix block - rows^T K^-1 columns, and rows^T K^-1 b.

@@ -147,17 +147,12 @@ void CarriedBody::add_border_of(const SurfaceSight& sight, const CarriedForces& 
     const double* const motions = &parts_[3 * block.column * array];
     const double* const moments = &parts_[(3 * block.row + 1) * array];
     double *const columns = &parts_[(3 * block.row + 2) * array], *const row = &rows_[block.column * array];
-    std::array<std::array<double, D>, D> rows_in_space{}, value{};  // L V, L V R^T
-    for (std::size_t k = 0; k < D; ++k)
-      for (std::size_t j = 0; j < D; ++j) {
-        double& entry = own[block.first + k * block.stride + j];
-        for (std::size_t i = 0; i < D; ++i) rows_in_space[i][j] += left[i][k] * entry;
-        entry = 0;
-      }
+    double* const seen = &own[block.first];
+    const Small<double, D> value = turned_block<D>(left, seen, block.stride, right);
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t j = 0; j < D; ++j) {
-        for (std::size_t k = 0; k < D; ++k) value[i][j] += rows_in_space[i][k] * right[j][k];
         if (values != nullptr) values[block.first + i * block.stride + j] += value[i][j];
+        seen[i * block.stride + j] = 0;
       }
     for (std::size_t i = 0; i < D; ++i) {
       Pack sum = load(columns + i * lanes);

@@ -142,16 +142,8 @@ void MovingFrame::add_diagonal(const RigidPose& pose, std::vector<double>& diago
 template <std::size_t D>
 void MovingFrame::turn_blocks_of(const Small<double, 3>& l, const Small<double, 3>& r, double* values) const {
   for (const Block& block : blocks_) {
-    Small<double, D> turned_rows{};
-    for (std::size_t k = 0; k < D; ++k)
-      for (std::size_t j = 0; j < D; ++j)
-        for (std::size_t i = 0; i < D; ++i) turned_rows[i][j] += l[i][k] * values[block.first + k * block.stride + j];
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) {
-        double value = 0;
-        for (std::size_t k = 0; k < D; ++k) value += turned_rows[i][k] * r[j][k];
-        values[block.first + i * block.stride + j] = value;
-      }
+    const Small<double, D> value = turned_block<D>(l, values + block.first, block.stride, r);
+    for (std::size_t i = 0; i < D; ++i) std::copy_n(value[i].begin(), D, values + block.first + i * block.stride);
   }
 }
 

@@ -12,6 +12,20 @@
 
 namespace ixos {
 
+/// Returns L V R^T of a block V, whose rows are `stride` apart.
+template <std::size_t D>
+Small<double, D> turned_block(const Small<double, 3>& l, const double* v, std::size_t stride,
+                              const Small<double, 3>& r) {
+  Small<double, D> rows{}, result{};
+  for (std::size_t k = 0; k < D; ++k)
+    for (std::size_t j = 0; j < D; ++j)
+      for (std::size_t i = 0; i < D; ++i) rows[i][j] += l[i][k] * v[k * stride + j];
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j)
+      for (std::size_t k = 0; k < D; ++k) result[i][j] += rows[i][k] * r[j][k];
+  return result;
+}
+
 /// A node at x = X + u has the place y = P + R^T (x - P - T) in the frame of a rigid body at the pose x = P + T + R (y
 /// - P). Its displacement there is y - X = R^T (u - T) + (R^T - I)(X - P). A derivative node of a Hermite side has
 /// derivatives in place of places, and no translation. Arrays are local; only the entries of the surface's nodes are

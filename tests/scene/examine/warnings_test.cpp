@@ -347,8 +347,7 @@ TEST(WarningsTest, PointsThatDoNotResolveTheGap) {
   const std::string pair = "Interactions/Contact/";
   expect_warning("two-balls.xml", {pair + "Passes=Double Integral"}, "double integral",
                  "0.39 L0 apart or more on half of the faces, but must be closer than a third of the equilibrium gap, "
-                 "0.0849 L0, where "
-                 "the surfaces touch; use 23 Surface Points");
+                 "0.0849 L0, where the surfaces touch; use 23 Surface Points");
   for (const Assignments& sound :
        {Assignments{pair + "Passes=Double Integral", pair + "Surface Points=23"}, Assignments{pair + "Passes=Two"}})
     EXPECT_EQ(all_of("two-balls.xml", sound).find("double integral"), std::string::npos);
